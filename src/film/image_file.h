@@ -1,0 +1,38 @@
+// Pictures to files and back. PNG goes through libpng; every other format through OpenImageIO, in a module that is loaded when the first
+// such file is touched.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "film/encode.h"
+
+namespace rt {
+
+enum class ImageFormat { png, exr, hdr, tiff, jpeg, ppm, tga, bmp };
+
+struct ImageMetadata {
+    std::vector<std::pair<std::string, std::string>> text;  ///< keyword (1..79 Latin-1 bytes), value
+};
+
+/// Format by the file name's extension; false if it is none of ours.
+bool format_of(const std::string& path, ImageFormat& format);
+/// "png", "exr", ... as in a file name.
+const char* extension(ImageFormat format);
+
+/// Writes beside the target and renames, so a picture appears whole or not at all; an error leaves an existing file as it was.
+/// `path` "-" writes to standard output. Throws OutputError with the path and the system's reason.
+void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata);
+
+/// A picture as stored: 8- and 16-bit formats hold integers in 0..max_value, float formats hold linear floats (max_value 0).
+struct StoredImage {
+    int width = 0, height = 0, channels = 0;  ///< 1..4 channels
+    int max_value = 255;
+    std::vector<float> values;  ///< interleaved, row by row from the top; integers as they are in the file
+};
+
+/// Reads any format. Throws OptionError naming the file and what is wrong with it.
+StoredImage read_image(const std::string& path);
+
+}  // namespace rt

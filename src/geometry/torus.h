@@ -1,0 +1,18 @@
+// Torus around the y axis.
+#pragma once
+
+#include "geometry/hit.h"
+
+namespace rt {
+
+struct Torus {
+    double major_radius = 1.0;
+    double minor_radius = 0.5;
+    bool operator==(const Torus&) const = default;
+};
+
+bool intersect(const Torus& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
+Vec3 normal(const Torus& shape, const Vec3& point, const ShapeHit& hit);
+Bounds bounds(const Torus& shape);
+
+}  // namespace rt

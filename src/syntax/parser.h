@@ -1,0 +1,34 @@
+// parse(text) -> Scene: reads the scene language and evaluates it while reading, as POV-Ray does.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace rt {
+
+struct ParseOptions {
+    std::vector<std::string> library_paths;  ///< searched for includes after the including file's folder and the current one
+    std::vector<std::pair<std::string, std::string>> declares;  ///< Declare=ID=value: a float, else a string
+    int image_width = 800;
+    int image_height = 600;
+    double clock = 0.0;
+    double version = 0.0;  ///< +MV; 0: not given
+    Rotation rotation = Rotation::povray;
+    bool lenient = false;  ///< known but unmodelled features are warnings instead of errors
+    bool collect_unmodelled = false;  ///< ... or only collected in Scene::unmodelled (for `requires`)
+    std::size_t max_file_bytes = std::size_t{1} << 30;  ///< per file
+    int max_include_depth = 100;
+    int max_nesting = 1000;  ///< of blocks and parentheses
+};
+
+/// Reads `file` (its path is also its name in messages). Throws SceneError with POV-Ray's line, excerpt and caret; LimitError when a
+/// documented limit is exceeded. Warnings and #debug text go to `messages`.
+Scene parse_file(const std::string& path, const ParseOptions& options, const MessageSink& messages);
+
+/// The same for text in memory.
+Scene parse_text(SourceFile file, const ParseOptions& options, const MessageSink& messages);
+
+}  // namespace rt

@@ -1,0 +1,95 @@
+// The stream of tokens as blocks see it: directives carried out, includes entered, names known.
+//
+// How the rest of the language fits: a token is scanned when it is asked for, from a stack of input frames (file, position, end). A loop is
+// a jump of the top frame back to the position of its condition; a macro call or a `#while` inside a macro pushes a frame over the body's
+// span with a scope of its own; `#switch` is one more kind of entry on the stack of open conditionals; arrays and strings are alternatives
+// of `Value`. Nothing downstream of `peek`/`take` sees any of it.
+#pragma once
+
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "syntax/parser.h"
+#include "syntax/token.h"
+#include "syntax/value.h"
+
+namespace rt {
+
+class Reader {
+public:
+    Reader(const ParseOptions& options, Scene& scene, const MessageSink& messages);
+    ~Reader();
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    /// Starts reading `file`. Call once.
+    void open(SourceFile file);
+
+    // --- tokens; no directive and no comment is ever seen here
+    const Token& peek();
+    Token take();
+    bool accept(Word w);
+    bool accept(char symbol);
+    /// Takes `symbol` or fails: "No matching } in 'sphere', undeclared identifier 'x' found instead" for '}' inside `open_block`,
+    /// "Missing { ..." style texts as POV-Ray words them otherwise.
+    void expect(char symbol);
+
+    // --- blocks: begin takes '{' (its word was just taken), end takes '}'; used for error texts and the nesting limit
+    void begin_block(std::string_view name);
+    void end_block();
+    /// True if the next token is '}' (not taken).
+    bool at_block_end();
+
+    // --- values (expression.cpp)
+    double parse_float();                      ///< a float factor chain as POV-Ray reads parameters; a vector is an error
+    bool parse_bool_or(bool when_absent);      ///< optional bool after a flag keyword: on, off, an expression, or nothing
+    bool at_expression();                      ///< could the next token begin a numeric expression?
+    Vec3 parse_vector();                       ///< a float promotes to all three
+    Vec2 parse_vector2();
+    Number parse_number();                     ///< any size
+    std::string parse_string();
+    void accept_comma();                       ///< commas between parameters are optional
+
+    // --- names
+    /// The declared value of the identifier that comes next if it holds a T (the token is taken), else null.
+    template <typename T>
+    const T* accept_declared() {
+        const Token& t = peek();
+        if (t.kind != Token::Kind::identifier) return nullptr;
+        const Value* value = find(t.text);
+        const T* held = value ? std::get_if<T>(value) : nullptr;
+        if (held) take();
+        return held;
+    }
+    const Value* find(std::string_view name) const;
+
+    // --- messages
+    /// Throws "Parse Error: text" at `span`.
+    [[noreturn]] void fail(const Span& span, std::string_view text);
+    /// Throws POV-Ray's "Expected '<what>', <description of the next token> found instead".
+    [[noreturn]] void fail_expected(std::string_view what);
+    void warn(const Span& span, std::string_view text);           ///< "Parse Warning: text"
+    void warn_possible(const Span& span, std::string_view text);  ///< "Possible Parse Error: text"
+    /// A known feature that is not modelled, met at `span`: error, warning or collected, as the options say. The caller then skips it.
+    void unmodelled(const Span& span, std::string_view feature);
+    /// Skips a block, nested braces and directives included; the next token is its '{'.
+    void skip_block();
+    /// POV-Ray's description of a token in messages: "undeclared identifier 'pigmnt'", "float constant", "End of File", ...
+    std::string describe(const Token& token);
+
+    const ParseOptions& options() const;
+    Scene& scene();
+    /// Language version in force here, e.g. 3.7; what `version` reads.
+    double version() const;
+    /// #default: the template of new textures and of objects without one.
+    TextureLayers& default_texture();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rt

@@ -1,0 +1,45 @@
+// What a name can stand for. A new kind of value is a new alternative here, a case in `declare` and one where it is used.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace rt {
+
+/// Result of a numeric expression: a float (size 1), a vector of 2..5 components or a colour (always 5, order r g b filter transmit).
+struct Number {
+    std::array<double, 5> v{};
+    int size = 1;
+    bool color = false;
+    bool operator==(const Number&) const = default;
+};
+
+/// `material { texture interior }`.
+struct MaterialValue {
+    std::optional<TextureLayers> texture;
+    std::optional<TextureLayers> interior_texture;
+    std::optional<Shared<Interior>> interior;
+    bool operator==(const MaterialValue&) const = default;
+};
+
+/// An object that was declared, not yet placed: the texture is unset where the file states none.
+struct ObjectValue {
+    std::vector<Object> objects;
+    bool operator==(const ObjectValue&) const = default;
+};
+
+/// A macro, kept as the place of its body: it is skipped until used.
+struct MacroValue {
+    std::vector<std::string> parameters;
+    Span body;
+    bool operator==(const MacroValue&) const = default;
+};
+
+using Value = std::variant<Number, std::string, Pigment, Finish, TextureLayers, Shared<Interior>, MaterialValue, ObjectValue, Camera, Light,
+                           Transform, MacroValue>;
+
+}  // namespace rt

@@ -1,0 +1,53 @@
+// What a user can choose about tracing, with POV-Ray's defaults.
+#pragma once
+
+#include <optional>
+
+namespace rt {
+
+enum class ShadingModel {
+    general,  ///< the general microfacet form
+    povray,   ///< POV-Ray's finish model
+};
+
+enum class Distances {
+    scaled,  ///< offsets from the error of the hit point, no limits
+    povray,  ///< its absolute 1e-4, 1e-3 and 1e7
+};
+
+/// Parts of the picture that POV-Ray's +Q leaves out.
+struct Quality {
+    bool lighting = true;   ///< else the pigment's rgb as it is
+    bool shadows = true;
+    bool transmission = true;
+    bool reflection = true;
+    bool quick_colors = false;
+
+    /// POV-Ray's +Qn, n = 0..11.
+    static Quality povray(int n);
+};
+
+struct TraceOptions {
+    ShadingModel shading = ShadingModel::general;
+    Distances distances = Distances::scaled;
+    std::optional<int> max_trace_level;   ///< overrides the scene's
+    std::optional<double> adc_bailout;    ///< likewise
+    Quality quality;
+};
+
+/// How pixels become samples.
+struct Sampling {
+    enum class Method {
+        none,      ///< the pixel's centre
+        grid,      ///< the centres of n x n sub-pixels, averaged
+        povray1,   ///< POV-Ray's non-adaptive method, without jitter
+        povray2,   ///< POV-Ray's adaptive method, without jitter
+    };
+    Method method = Method::none;
+    int depth = 3;           ///< grid: n; povray: +R, 1..9
+    double threshold = 0.3;  ///< +A
+    double gamma = 2.5;      ///< Antialias_Gamma: exponent 1/gamma in the comparison of colours
+    int block = 32;          ///< +BS
+};
+
+}  // namespace rt

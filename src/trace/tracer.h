@@ -1,0 +1,44 @@
+// Whitted recursion: one camera ray to one radiance. Directions point away from the surface except a ray's own.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "trace/options.h"
+#include "world/world.h"
+
+namespace rt {
+
+/// Rays cast, by kind. Plain counters: each worker has its own, summed at the end.
+struct RayCounts {
+    std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
+    RayCounts& operator+=(const RayCounts& o) {
+        camera += o.camera, shadow += o.shadow, reflected += o.reflected, refracted += o.refracted;
+        return *this;
+    }
+};
+
+/// Radiance that arrives along a camera ray, and how much of the background it sees.
+struct Radiance {
+    Rgb rgb{0.0};
+    double transmittance = 0.0;
+};
+
+/// One worker's tracer: holds scratch memory, so use one per thread. The world and options outlive it.
+class Tracer {
+public:
+    Tracer(const World& world, const TraceOptions& options);
+    ~Tracer();
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
+
+    /// `ray.direction` is unit. The same ray gives the same bits whatever was traced before.
+    Radiance camera_ray(const Ray& ray);
+    const RayCounts& counts() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rt

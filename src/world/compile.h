@@ -1,0 +1,34 @@
+// Scene -> World: the one place where what was written becomes what is shaded.
+#pragma once
+
+#include "world/world.h"
+
+namespace rt {
+
+enum class Profile { povray, csc473 };
+/// fast: Embree's own triangles, the hit refined in double. exact: double callbacks, bit for bit what brute force finds.
+enum class Precision { fast, exact };
+enum class IndexKind { automatic, embree, brute_force };
+/// How a finish's roughness becomes the microfacet alpha.
+enum class AlphaMapping {
+    roughness2,  ///< alpha = roughness^2
+    povray,      ///< sqrt(2 / (1/roughness + 2)), the width of POV-Ray's exponent
+    direct,      ///< alpha = roughness
+};
+
+struct CompileOptions {
+    Profile profile = Profile::povray;
+    Precision precision = Precision::exact;
+    IndexKind index = IndexKind::automatic;
+    AlphaMapping alpha = AlphaMapping::roughness2;
+    int threads = 0;  ///< for building the index; 0: all cores
+};
+
+/// Throws SceneError for what a scene can state but no world can hold (look_at = location under the course profile, ...).
+/// `warn` receives complete messages (`Sources::describe`).
+World compile(const Scene& scene, const CompileOptions& options, const MessageSink& warn);
+
+/// The camera's vectors combined (direction, angle, look_at, transforms) by the profile's rule.
+CameraBasis camera_basis(const Camera& camera, Profile profile, const Sources& sources, const MessageSink& warn);
+
+}  // namespace rt

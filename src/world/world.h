@@ -1,0 +1,89 @@
+// The compiled scene, immutable: what rays can meet and what they find there. Bounded surfaces are in an index, unbounded planes in a list
+// beside it. Everything in it is in world space.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/hit.h"
+#include "world/material.h"
+
+namespace rt {
+
+/// Which objects a ray can see.
+enum class RayKind : std::uint8_t {
+    image,      ///< camera rays and what was only transmitted since: skips no_image
+    reflected,  ///< after any reflection: skips no_reflection
+    shadow,     ///< skips no_shadow
+};
+
+struct Hit {
+    ShapeHit shape;               ///< t is the world ray's
+    std::uint32_t primitive = 0;  ///< the world's own numbering; for `World::normal`
+    std::uint32_t object = 0;     ///< index of the object in the scene, from 0
+};
+
+struct CompiledObject {
+    std::uint32_t material = 0;
+    std::uint32_t interior = 0;  ///< index into interiors; every object has one
+    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+    Span span;
+};
+
+/// Pixel (u, v) in [-1/2, 1/2]^2, v upwards. Perspective: from origin along direction + u right + v up.
+/// Orthographic: from origin + u right + v up along direction.
+struct CameraBasis {
+    bool orthographic = false;
+    Vec3 origin{0.0}, direction{0.0, 0.0, 1.0}, right{1.33, 0.0, 0.0}, up{0.0, 1.0, 0.0};
+};
+
+/// What the scene requires of the tracer; computed once, and nothing after it pays for what is false.
+struct Features {
+    bool transmits = false;    ///< some material can transmit
+    bool refracts = false;     ///< ... and some interior of such an object has an ior other than 1
+    bool reflects = false;
+    bool fades = false;        ///< some interior has fade_power > 0 or a fade_distance
+    bool patterns = false;
+    bool layers = false;       ///< some material has several layers
+    bool area_lights = false;
+    bool visibility_flags = false;  ///< some object is no_image or no_reflection
+    bool general_specular = false;  ///< some finish has specular above 0
+};
+
+class SurfaceIndex;
+
+class World {
+public:
+    World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    /// Nearest hit with t inside `range` among the objects that `kind` sees; ties go to the object first in the file (and in it to the
+    /// face first stated). `ray.direction` is unit. Thread-safe.
+    bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
+    /// True if an object that casts shadows and can never transmit has a hit inside `range`. Thread-safe.
+    bool occluded(const Ray& ray, const Interval& range) const;
+    /// Unit normal as the shape states it (negated by `inverse`), not turned to the viewer; interpolated for smooth triangles.
+    Vec3 normal(const Hit& hit, const Vec3& point) const;
+
+    CameraBasis camera;
+    std::vector<Light> lights;
+    std::vector<CompiledObject> objects;
+    std::vector<Material> materials;
+    std::vector<CompiledInterior> interiors;
+    /// Interiors of the objects that contain the camera, in file order.
+    std::vector<std::uint32_t> camera_interiors;
+    Rgb background{0.0};
+    double background_transmit = 1.0;
+    Rgb ambient_light{1.0};
+    int max_trace_level = 5;
+    double adc_bailout = 1.0 / 255.0;
+    /// Language before 3.7: opacity is 1 - (filter * max(rgb) + transmit).
+    bool legacy_opacity = false;
+    double scene_extent = 0.0;  ///< largest absolute coordinate of the bounded surfaces
+    Features features;
+    std::unique_ptr<SurfaceIndex> surfaces;  ///< how rays are answered; made by `compile`
+};
+
+}  // namespace rt
