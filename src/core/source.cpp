@@ -41,20 +41,28 @@ std::string printable(std::string_view piece) {
 }  // namespace
 
 std::uint32_t Sources::add(SourceFile file) {
-    files_.push_back(std::make_shared<const SourceFile>(std::move(file)));
+    auto entry = std::make_shared<Entry>();
+    entry->source = std::move(file);
+    files_.push_back(std::move(entry));
     return static_cast<std::uint32_t>(files_.size() - 1);
 }
 
 LineColumn Sources::locate(std::uint32_t file, std::size_t offset) const {
-    const std::string_view text = files_[file]->text;
+    const Entry& entry = *files_[file];
+    const std::string_view text = entry.source.text;
+    std::call_once(entry.lines_counted, [&] {
+        entry.line_begins.push_back(0);
+        for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+            entry.line_begins.push_back(at + 1);
+    });
     const std::size_t at = std::min(offset, text.size());
-    const auto newlines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    return {static_cast<std::size_t>(newlines) + 1, at - line_around(text, at).begin + 1};
+    const auto next = std::upper_bound(entry.line_begins.begin(), entry.line_begins.end(), at);
+    return {static_cast<std::size_t>(next - entry.line_begins.begin()), at - *(next - 1) + 1};
 }
 
 std::string Sources::describe(const Span& span, std::string_view kind, std::string_view text) const {
     if (span.file >= files_.size()) return fmt::format("{}: {}", kind, text);
-    const SourceFile& file = *files_[span.file];
+    const SourceFile& file = files_[span.file]->source;
     const std::size_t line_number = locate(span.file, span.begin).line;
     std::string message = fmt::format("File '{}' line {}: {}: {}", file.name, line_number, kind, text);
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -37,7 +38,7 @@ class Sources {
 public:
     std::uint32_t add(SourceFile file);
     std::size_t size() const { return files_.size(); }
-    const SourceFile& file(std::uint32_t index) const { return *files_[index]; }
+    const SourceFile& file(std::uint32_t index) const { return files_[index]->source; }
     LineColumn locate(std::uint32_t file, std::size_t offset) const;
 
     /// POV-Ray's line, which editors parse, then the excerpt and a caret under the span:
@@ -48,7 +49,12 @@ public:
     std::string describe(const Span& span, std::string_view kind, std::string_view text) const;
 
 private:
-    std::vector<std::shared_ptr<const SourceFile>> files_;
+    struct Entry {
+        SourceFile source;
+        mutable std::once_flag lines_counted;
+        mutable std::vector<std::size_t> line_begins;  ///< made on the first message: a file can give a hundred thousand warnings
+    };
+    std::vector<std::shared_ptr<const Entry>> files_;
 };
 
 /// A mistake in a scene file; what() is the complete text of `Sources::describe`.
