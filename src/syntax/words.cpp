@@ -1,0 +1,55 @@
+#include "syntax/words.h"
+
+#include <array>
+#include <cstddef>
+
+namespace rt {
+
+namespace {
+
+constexpr std::string_view spelling(std::string_view enumerator) {
+    if (!enumerator.empty() && enumerator.back() == '_') enumerator.remove_suffix(1);
+    return enumerator;
+}
+
+constexpr std::array spellings{
+    std::string_view{},
+#define RT_SPELLING(name) spelling(#name),
+    RT_WORDS(RT_SPELLING)
+#undef RT_SPELLING
+};
+
+constexpr std::size_t slots = 2048;  // a power of two, a quarter full
+static_assert(slots >= 4 * spellings.size());
+
+/// FNV-1a.
+constexpr std::size_t hash(std::string_view name) {
+    std::uint32_t h = 2166136261u;
+    for (const char c : name) h = (h ^ static_cast<unsigned char>(c)) * 16777619u;
+    return (h ^ (h >> 15)) % slots;
+}
+
+/// Open addressing with linear probing; 0 marks a free slot.
+constexpr std::array<std::uint16_t, slots> make_table() {
+    std::array<std::uint16_t, slots> table{};
+    for (std::size_t i = 1; i < spellings.size(); ++i) {
+        std::size_t slot = hash(spellings[i]);
+        while (table[slot] != 0) slot = (slot + 1) % slots;
+        table[slot] = static_cast<std::uint16_t>(i);
+    }
+    return table;
+}
+
+constexpr auto table = make_table();
+
+}  // namespace
+
+Word find_word(std::string_view name) {
+    for (std::size_t slot = hash(name); table[slot] != 0; slot = (slot + 1) % slots)
+        if (spellings[table[slot]] == name) return static_cast<Word>(table[slot]);
+    return Word::none;
+}
+
+std::string_view text(Word w) { return spellings[static_cast<std::size_t>(w)]; }
+
+}  // namespace rt
