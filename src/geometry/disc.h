@@ -13,8 +13,20 @@ struct Disc {
     bool operator==(const Disc&) const = default;
 };
 
-bool intersect(const Disc& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
-Vec3 normal(const Disc& shape, const Vec3& point, const ShapeHit& hit);
+/// Both radii belong to the surface.
+inline bool intersect(const Disc& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    const Vec3 f = ray.origin - shape.center;
+    const double t = -dot(f, shape.normal) / dot(ray.direction, shape.normal);
+    if (!range.contains(t)) return false;
+    const Vec3 p = f + t * ray.direction;
+    const double r2 = dot(p, p);
+    if (!(r2 <= shape.radius * shape.radius && r2 >= shape.hole_radius * shape.hole_radius)) return false;
+    hit.t = t;
+    return true;
+}
+
+inline Vec3 normal(const Disc& shape, const Vec3&, const ShapeHit&) { return shape.normal; }
+
 Bounds bounds(const Disc& shape);
 
 }  // namespace rt

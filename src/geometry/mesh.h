@@ -13,7 +13,7 @@ namespace rt {
 struct MeshData {
     using Face = std::array<std::uint32_t, 3>;
     std::vector<Vec3> vertices;
-    std::vector<Face> faces;  ///< indices into vertices; degenerate faces are left out by the parser, with POV-Ray's warning
+    std::vector<Face> faces;    ///< indices into vertices; degenerate faces are left out by the parser, with POV-Ray's warning
     std::vector<Vec3> normals;  ///< unit; empty for a flat mesh
     /// Empty, or one entry a face: indices into normals; a face of three equal `flat` entries has its own flat normal.
     std::vector<Face> normal_faces;

@@ -11,8 +11,16 @@ struct Plane {
     bool operator==(const Plane&) const = default;
 };
 
-bool intersect(const Plane& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
-Vec3 normal(const Plane& shape, const Vec3& point, const ShapeHit& hit);
-Bounds bounds(const Plane& shape);
+/// A parallel ray divides by zero: infinity and NaN lie in no interval.
+inline bool intersect(const Plane& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    const double t = (shape.distance - dot(ray.origin, shape.normal)) / dot(ray.direction, shape.normal);
+    if (!range.contains(t)) return false;
+    hit.t = t;
+    return true;
+}
+
+inline Vec3 normal(const Plane& shape, const Vec3&, const ShapeHit&) { return shape.normal; }
+
+inline Bounds bounds(const Plane&) { return Bounds::everything(); }
 
 }  // namespace rt

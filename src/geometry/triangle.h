@@ -19,21 +19,66 @@ struct SmoothTriangle {
 
 /// What the test of one ray against many triangles shares: the axis permutation and the shear that take the ray to the +z axis.
 struct TriangleRay {
-    explicit TriangleRay(const Ray& ray);
+    explicit TriangleRay(const Ray& ray) : origin(ray.origin) {
+        const Vec3& d = ray.direction;
+        const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+        kz = z >= x && z >= y ? 2 : y >= x ? 1 : 0;
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        sz = 1.0 / (&d.x)[kz];
+        sx = (&d.x)[kx] / (&d.x)[kz];
+        sy = (&d.x)[ky] / (&d.x)[kz];
+    }
     Vec3 origin;
     int kx, ky, kz;
     double sx, sy, sz;
 };
 
-/// Vertices in counter- or clockwise order, both sides count. Sets t, u (weight of b) and v (weight of c).
-bool intersect(const Vec3& a, const Vec3& b, const Vec3& c, const TriangleRay& ray, const Interval& range, ShapeHit& hit);
+/// The sign of a b - c d where both products round to the same double: the difference of what rounding dropped.
+double exact_difference_of_products(double a, double b, double c, double d);
 
-bool intersect(const Triangle& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
-Vec3 normal(const Triangle& shape, const Vec3& point, const ShapeHit& hit);
+/// Vertices in counter- or clockwise order, both sides count; a triangle without area is never hit. Sets t, u (weight of b) and
+/// v (weight of c). Rounding is monotone, so an edge function has the right sign or is zero, and zeros are decided exactly.
+inline bool intersect(const Vec3& a, const Vec3& b, const Vec3& c, const TriangleRay& ray, const Interval& range, ShapeHit& hit) {
+    const Vec3 A = a - ray.origin, B = b - ray.origin, C = c - ray.origin;
+    const double az = (&A.x)[ray.kz], bz = (&B.x)[ray.kz], cz = (&C.x)[ray.kz];
+    const double ax = (&A.x)[ray.kx] - ray.sx * az, ay = (&A.x)[ray.ky] - ray.sy * az;
+    const double bx = (&B.x)[ray.kx] - ray.sx * bz, by = (&B.x)[ray.ky] - ray.sy * bz;
+    const double cx = (&C.x)[ray.kx] - ray.sx * cz, cy = (&C.x)[ray.ky] - ray.sy * cz;
+    double u = cx * by - cy * bx;
+    double v = ax * cy - ay * cx;
+    double w = bx * ay - by * ax;
+    if (u == 0.0 || v == 0.0 || w == 0.0) [[unlikely]] {
+        if (u == 0.0) u = exact_difference_of_products(cx, by, cy, bx);
+        if (v == 0.0) v = exact_difference_of_products(ax, cy, ay, cx);
+        if (w == 0.0) w = exact_difference_of_products(bx, ay, by, ax);
+    }
+    if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return false;
+    const double area = u + v + w;
+    if (area == 0.0) return false;
+    const double t = (u * az + v * bz + w * cz) * ray.sz / area;
+    if (!range.contains(t)) return false;
+    const Vec3 n = cross(b - a, c - a);
+    if (n.x == 0.0 && n.y == 0.0 && n.z == 0.0) return false;
+    hit.t = t;
+    hit.u = v / area;
+    hit.v = w / area;
+    return true;
+}
+
+inline bool intersect(const Triangle& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    return intersect(shape.a, shape.b, shape.c, TriangleRay(ray), range, hit);
+}
+inline bool intersect(const SmoothTriangle& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    return intersect(shape.a, shape.b, shape.c, TriangleRay(ray), range, hit);
+}
+
+inline Vec3 normal(const Triangle& shape, const Vec3&, const ShapeHit&) { return cross(shape.b - shape.a, shape.c - shape.a); }
+inline Vec3 normal(const SmoothTriangle& shape, const Vec3&, const ShapeHit& hit) {
+    return (1.0 - hit.u - hit.v) * shape.normal_a + hit.u * shape.normal_b + hit.v * shape.normal_c;
+}
+
 Bounds bounds(const Triangle& shape);
-
-bool intersect(const SmoothTriangle& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
-Vec3 normal(const SmoothTriangle& shape, const Vec3& point, const ShapeHit& hit);
 Bounds bounds(const SmoothTriangle& shape);
 
 }  // namespace rt

@@ -1,0 +1,21 @@
+#include "geometry/triangle.h"
+
+namespace rt {
+
+double exact_difference_of_products(double a, double b, double c, double d) {
+    const double ab = a * b;
+    const double cd = c * d;
+    if (ab != cd || !std::isfinite(ab)) return ab - cd;
+    return std::fma(a, b, -ab) - std::fma(c, d, -cd);
+}
+
+Bounds bounds(const Triangle& shape) {
+    Bounds b{shape.a, shape.a};
+    b.extend(shape.b);
+    b.extend(shape.c);
+    return b;
+}
+
+Bounds bounds(const SmoothTriangle& shape) { return bounds(Triangle{shape.a, shape.b, shape.c}); }
+
+}  // namespace rt
