@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "film/film.h"
@@ -17,12 +18,12 @@ struct Curve {
 };
 
 struct Encoding {
-    bool raw = false;  ///< legacy scenes: values are quantised as they are, whatever the curves say
-    Curve working;     ///< the scene's assumed_gamma
+    bool raw = false;                    ///< legacy scenes: values are quantised as they are, whatever the curves say
+    Curve working;                       ///< the scene's assumed_gamma
     Curve file{Curve::Kind::srgb, 1.0};  ///< File_Gamma; ignored by formats that hold linear light
-    int bits = 8;      ///< 8 or 16 per channel
+    int bits = 8;                        ///< 8 or 16 per channel; OpenEXR also 32 (single precision, otherwise half)
     bool alpha = false;
-    bool dither = false;
+    bool dither = false;  ///< Floyd-Steinberg as POV-Ray does it
 };
 
 /// Working-space value to linear light (unclamped; negative values become 0 under a power other than 1).
@@ -33,5 +34,25 @@ double encode(double value, const Encoding& encoding);
 std::uint16_t quantise(double value, const Encoding& encoding);
 /// All pixels, interleaved RGB or (un-premultiplied) RGBA, row by row from the top.
 std::vector<std::uint16_t> quantise(const Film& film, const Encoding& encoding);
+
+/// Alpha that a file stores for a pixel: 1 - transmittance, raised to the grey value of what is brighter than its coverage allows, so that
+/// colour divided by it seldom exceeds 1. In 0..1; `pixel` is in linear light.
+double stored_alpha(const Pixel& pixel);
+
+/// The rows of a film as a file's numbers, one after the other: dithering carries its errors from row to row.
+class RowEncoder {
+public:
+    /// The film outlives the encoder.
+    RowEncoder(const Film& film, const Encoding& encoding);
+    ~RowEncoder();
+    /// 3, or 4 with alpha.
+    int channels() const;
+    /// The next row, width * channels() numbers.
+    void next(std::uint16_t* out);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace rt

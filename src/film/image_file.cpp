@@ -1,0 +1,166 @@
+#include "film/image_file.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "core/source.h"
+#include "film/oiio_module.h"
+#include "film/output_file.h"
+#include "film/png.h"
+#include "film/ppm.h"
+
+namespace rt {
+namespace {
+
+struct FormatEntry {
+    const char* name;  ///< as in a file name
+    ImageFormat format;
+    const char* oiio;  ///< OpenImageIO's name
+    bool linear;       ///< holds unclamped linear light
+    bool sixteen;      ///< can hold 16 bits
+    bool alpha;
+};
+
+/// The first entry of a format has its usual extension.
+constexpr std::array formats{
+    FormatEntry{"png", ImageFormat::png, "png", false, true, true},      FormatEntry{"exr", ImageFormat::exr, "openexr", true, true, true},
+    FormatEntry{"hdr", ImageFormat::hdr, "hdr", true, false, false},     FormatEntry{"tiff", ImageFormat::tiff, "tiff", false, true, true},
+    FormatEntry{"jpeg", ImageFormat::jpeg, "jpeg", false, false, false}, FormatEntry{"ppm", ImageFormat::ppm, "pnm", false, true, false},
+    FormatEntry{"tga", ImageFormat::tga, "targa", false, false, true},   FormatEntry{"bmp", ImageFormat::bmp, "bmp", false, false, true},
+    FormatEntry{"tif", ImageFormat::tiff, "tiff", false, true, true},    FormatEntry{"jpg", ImageFormat::jpeg, "jpeg", false, false, false},
+};
+
+const FormatEntry& entry_of(ImageFormat format) {
+    for (const FormatEntry& entry : formats) {
+        if (entry.format == format) return entry;
+    }
+    return formats[0];
+}
+
+/// Linear light, RGB or RGBA with the colour as it arrived (not divided by alpha).
+std::vector<float> linear_values(const Film& film, const Encoding& encoding) {
+    std::vector<float> values;
+    values.reserve(film.pixels.size() * (encoding.alpha ? 4 : 3));
+    for (const Pixel& p : film.pixels) {
+        for (const float v : {p.r, p.g, p.b}) values.push_back(static_cast<float>(to_linear(v, encoding)));
+        if (encoding.alpha) values.push_back(1.0f - p.transmittance);
+    }
+    return values;
+}
+
+/// Hands the picture to the module, which writes the whole file at `path`. Returns its complaint, or an empty text.
+std::string write_through_module(const Film& film, const std::string& path, const FormatEntry& entry, const Encoding& encoding,
+                                 const ImageMetadata& metadata) {
+    std::vector<RaytraceText> text;
+    for (const auto& [key, value] : metadata.text) text.push_back({key.c_str(), value.c_str()});
+    RaytracePicture picture{film.width,
+                            film.height,
+                            encoding.alpha ? 4 : 3,
+                            raytrace_uint8,
+                            nullptr,
+                            text.data(),
+                            text.size(),
+                            encoding.file.kind == Curve::Kind::srgb};
+    std::vector<float> floats;
+    std::vector<std::uint16_t> numbers;
+    std::vector<std::uint8_t> bytes;
+    if (entry.linear) {
+        floats = linear_values(film, encoding);
+        picture.sample = encoding.bits == 32 || entry.format == ImageFormat::hdr ? raytrace_float : raytrace_half;
+        picture.data = floats.data();
+    } else {
+        numbers = quantise(film, encoding);
+        picture.sample = encoding.bits == 16 ? raytrace_uint16 : raytrace_uint8;
+        if (encoding.bits == 8) bytes.assign(numbers.begin(), numbers.end());
+        picture.data = encoding.bits == 8 ? static_cast<const void*>(bytes.data()) : numbers.data();
+    }
+    const char* complaint = image_module().write(path.c_str(), entry.oiio, &picture);
+    return complaint ? complaint : "";
+}
+
+/// OpenImageIO writes only to names, so the picture is made in a scratch file and copied.
+void write_other(const Film& film, OutputFile& file, const FormatEntry& entry, const Encoding& encoding, const ImageMetadata& metadata) {
+    const ScratchFile scratch;
+    const std::string complaint = write_through_module(film, scratch.path(), entry, encoding, metadata);
+    if (!complaint.empty()) file.fail(0, complaint);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> made(std::fopen(scratch.path().c_str(), "rbe"), std::fclose);
+    if (!made) file.fail(errno);
+    std::vector<char> buffer(1 << 16);
+    while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), made.get())) file.write(buffer.data(), size);
+    if (std::ferror(made.get())) file.fail(errno);
+}
+
+}  // namespace
+
+bool format_of(const std::string& path, ImageFormat& format) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const FormatEntry& entry : formats) {
+        if (extension != fmt::format(".{}", entry.name)) continue;
+        format = entry.format;
+        return true;
+    }
+    return false;
+}
+
+const char* extension(ImageFormat format) { return entry_of(format).name; }
+
+void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata) {
+    const FormatEntry& entry = entry_of(format);
+    Encoding possible = encoding;
+    possible.alpha = encoding.alpha && entry.alpha;
+    if (!entry.linear) possible.bits = encoding.bits > 8 && entry.sixteen ? 16 : 8;
+    OutputFile file(path);
+    if (film.width < 1 || film.height < 1) file.fail(0, "the picture has no pixels");
+    switch (format) {
+        case ImageFormat::png:
+            write_png(film, file, possible, metadata);
+            break;
+        case ImageFormat::ppm:
+            write_ppm(film, file, possible);
+            break;
+        default:
+            write_other(film, file, entry, possible, metadata);
+    }
+    file.commit();
+}
+
+namespace {
+
+float* begin_picture(void* user, int width, int height, int channels, int max_value) {
+    auto& image = *static_cast<StoredImage*>(user);
+    image.width = width, image.height = height, image.channels = channels, image.max_value = max_value;
+    try {
+        image.values.resize(static_cast<std::size_t>(width) * height * channels);
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+    return image.values.data();
+}
+
+}  // namespace
+
+StoredImage read_image(const std::string& path) {
+    const auto refuse = [&](const char* why) -> void { throw OptionError(fmt::format("Cannot read '{}': {}", path, why)); };
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), std::fclose);
+    if (!file) refuse(std::strerror(errno));
+    struct stat info {};
+    if (fstat(fileno(file.get()), &info) == 0 && S_ISDIR(info.st_mode)) refuse(std::strerror(EISDIR));
+    const int first = std::fgetc(file.get());
+    if (first == EOF) refuse("the file is empty");
+    std::ungetc(first, file.get());
+    if (first == 0x89) return read_png(file.get(), path);
+    StoredImage image;
+    const RaytraceSink sink{begin_picture, &image};
+    if (const char* complaint = image_module().read(path.c_str(), &sink)) refuse(complaint);
+    return image;
+}
+
+}  // namespace rt
