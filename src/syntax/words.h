@@ -34,26 +34,25 @@ namespace rt {
     X(matrix) X(max) X(max_extent) X(max_gradient) X(max_intersections) X(max_iteration) X(max_sample) X(max_trace) X(max_trace_level) \
     X(maximum_reuse) X(media) X(media_attenuation) X(media_interaction) X(merge) X(mesh) X(mesh2) X(mesh_camera) X(metallic) X(method) \
     X(metric) X(min) X(min_extent) X(minimum_reuse) X(mm_per_unit) X(mod) X(mortar) X(natural_spline) X(nearest_count) X(no) \
-    X(no_bump_scale) X(no_cache) X(no_image) X(no_radiosity) X(no_reflection) X(no_shadow) X(noise_generator) X(normal) \
-    X(normal_indices) X(normal_map) X(normal_vectors) X(now) X(number_of_sides) X(number_of_tiles) X(number_of_waves) X(object) \
-    X(octaves) X(off) X(offset) X(omega) X(omnimax) X(on) X(once) X(onion) X(open) X(optional) X(orient) X(orientation) X(orthographic) \
-    X(ovus) X(panoramic) X(parallel) X(parametric) X(pass_through) X(pattern) X(pavement) X(perspective) X(pgm) X(phase) X(phong) \
-    X(phong_size) X(photons) X(pi) X(pigment) X(pigment_map) X(pigment_pattern) X(planar) X(plane) X(png) X(point_at) X(poly) \
-    X(poly_wave) X(polygon) X(polynomial) X(pot) X(potential) X(pow) X(ppm) X(precision) X(precompute) X(premultiplied) X(pretrace_end) \
-    X(pretrace_start) X(prism) X(prod) X(projected_through) X(pwr) X(quadratic_spline) X(quadric) X(quartic) X(quaternion) \
-    X(quick_color) X(quick_colour) X(quilted) X(radial) X(radians) X(radiosity) X(radius) X(rainbow) X(ramp_wave) X(rand) X(range) \
-    X(ratio) X(rational) X(read) X(reciprocal) X(recursion_limit) X(red) X(reflection) X(reflection_exponent) X(refraction) X(render) \
-    X(repeat) X(rgb) X(rgbf) X(rgbft) X(rgbt) X(right) X(ripples) X(rotate) X(roughness) X(samples) X(save_file) X(scale) \
-    X(scallop_wave) X(scattering) X(seed) X(select) X(shadowless) X(sin) X(sine_wave) X(sinh) X(sint16be) X(sint16le) X(sint32be) \
-    X(sint32le) X(sint8) X(size) X(sky) X(sky_sphere) X(slice) X(slope) X(slope_map) X(smooth) X(smooth_triangle) X(solid) X(sor) \
-    X(spacing) X(specular) X(sphere) X(sphere_sweep) X(spherical) X(spiral1) X(spiral2) X(spline) X(split_union) X(spotlight) X(spotted) \
-    X(sqr) X(sqrt) X(square) X(srgb) X(srgbf) X(srgbft) X(srgbt) X(statistics) X(str) X(strcmp) X(strength) X(strlen) X(strlwr) \
-    X(strupr) X(sturm) X(substr) X(subsurface) X(sum) X(superellipsoid) X(switch_) X(sys) X(t) X(tan) X(tanh) X(target) X(text) \
-    X(texture) X(texture_list) X(texture_map) X(tga) X(thickness) X(threshold) X(tiff) X(tightness) X(tile2) X(tiles) X(tiling) \
-    X(tolerance) X(toroidal) X(torus) X(trace) X(transform) X(translate) X(translucency) X(transmit) X(triangle) X(triangle_wave) \
-    X(triangular) X(true_) X(ttf) X(turb_depth) X(turbulence) X(type) X(u) X(u_steps) X(uint16be) X(uint16le) X(uint32be) X(uint32le) \
-    X(uint8) X(ultra_wide_angle) X(undef) X(union_) X(up) X(use_alpha) X(use_color) X(use_colour) X(use_index) X(user_defined) X(utf8) \
-    X(uv_indices) X(uv_mapping) X(uv_max_extent) X(uv_min_extent) X(uv_vectors) X(v) X(v_steps) X(val) X(variance) X(vaxis_rotate) \
+    X(no_bump_scale) X(no_image) X(no_radiosity) X(no_reflection) X(no_shadow) X(noise_generator) X(normal) X(normal_indices) \
+    X(normal_map) X(normal_vectors) X(now) X(number_of_sides) X(number_of_tiles) X(number_of_waves) X(object) X(octaves) X(off) \
+    X(offset) X(omega) X(omnimax) X(on) X(once) X(onion) X(open) X(orient) X(orientation) X(orthographic) X(ovus) X(panoramic) \
+    X(parallel) X(parametric) X(pass_through) X(pattern) X(pavement) X(perspective) X(pgm) X(phase) X(phong) X(phong_size) X(photons) \
+    X(pi) X(pigment) X(pigment_map) X(pigment_pattern) X(planar) X(plane) X(png) X(point_at) X(poly) X(poly_wave) X(polygon) \
+    X(polynomial) X(pot) X(pow) X(ppm) X(precision) X(precompute) X(premultiplied) X(pretrace_end) X(pretrace_start) X(prism) X(prod) \
+    X(projected_through) X(pwr) X(quadratic_spline) X(quadric) X(quartic) X(quaternion) X(quick_color) X(quick_colour) X(quilted) \
+    X(radial) X(radians) X(radiosity) X(radius) X(rainbow) X(ramp_wave) X(rand) X(range) X(ratio) X(read) X(reciprocal) \
+    X(recursion_limit) X(red) X(reflection) X(reflection_exponent) X(refraction) X(render) X(repeat) X(rgb) X(rgbf) X(rgbft) X(rgbt) \
+    X(right) X(ripples) X(rotate) X(roughness) X(samples) X(save_file) X(scale) X(scallop_wave) X(scattering) X(seed) X(select) \
+    X(shadowless) X(sin) X(sine_wave) X(sinh) X(sint16be) X(sint16le) X(sint32be) X(sint32le) X(sint8) X(size) X(sky) X(sky_sphere) \
+    X(slice) X(slope) X(slope_map) X(smooth) X(smooth_triangle) X(solid) X(sor) X(spacing) X(specular) X(sphere) X(sphere_sweep) \
+    X(spherical) X(spiral1) X(spiral2) X(spline) X(split_union) X(spotlight) X(spotted) X(sqr) X(sqrt) X(square) X(srgb) X(srgbf) \
+    X(srgbft) X(srgbt) X(statistics) X(str) X(strcmp) X(strength) X(strlen) X(strlwr) X(strupr) X(sturm) X(substr) X(subsurface) X(sum) \
+    X(superellipsoid) X(switch_) X(sys) X(t) X(tan) X(tanh) X(target) X(text) X(texture) X(texture_list) X(texture_map) X(tga) \
+    X(thickness) X(threshold) X(tiff) X(tightness) X(tile2) X(tiles) X(tiling) X(tolerance) X(toroidal) X(torus) X(trace) X(transform) \
+    X(translate) X(translucency) X(transmit) X(triangle) X(triangle_wave) X(triangular) X(true_) X(ttf) X(turb_depth) X(turbulence) \
+    X(type) X(u) X(u_steps) X(uint16be) X(uint16le) X(uint8) X(ultra_wide_angle) X(undef) X(union_) X(up) X(use_alpha) X(use_color) \
+    X(use_colour) X(use_index) X(utf8) X(uv_indices) X(uv_mapping) X(uv_vectors) X(v) X(v_steps) X(val) X(variance) X(vaxis_rotate) \
     X(vcross) X(vdot) X(version) X(vertex_vectors) X(vlength) X(vnormalize) X(vrotate) X(vstr) X(vturbulence) X(warning) X(warp) \
     X(water_level) X(waves) X(while_) X(width) X(wood) X(wrinkles) X(write) X(x) X(y) X(yes) X(z)
 // clang-format on
