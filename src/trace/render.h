@@ -2,29 +2,28 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "film/film.h"
+#include "trace/sampling.h"
 #include "trace/tracer.h"
 
 namespace rt {
 
-/// Columns [x0, x1) and rows [y0, y1) of the full picture.
-struct Region {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
 struct RenderOptions {
     int width = 800;
     int height = 600;
-    std::optional<Region> region;  ///< pixels outside stay 0
+    std::optional<Region> region;  ///< pixels outside stay 0; clipped to the picture
     int threads = 0;               ///< 0: all cores
     Sampling sampling;
     /// Exponent of the anti-aliasing comparison for a working gamma g other than 1 is g / Antialias_Gamma.
     double working_gamma = 1.0;
+    bool alpha = false;  ///< the picture keeps its transmittance; otherwise it is 0 everywhere and anti-aliasing does not compare it
     TraceOptions trace;
-    const std::atomic<bool>* stop = nullptr;         ///< set by Ctrl-C: finish the tile in hand and return
-    std::function<void(double done)> progress;       ///< called from one worker at a time, done in 0..1
+    const std::atomic<bool>* stop = nullptr;    ///< set by Ctrl-C: keep the rows that are finished and return
+    std::function<void(double done)> progress;  ///< called from one worker at a time, done in 0..1, at most ten times a second
 };
 
 struct RenderResult {
@@ -32,9 +31,25 @@ struct RenderResult {
     RayCounts counts;
     std::uint64_t non_finite = 0;  ///< pixels that came out as NaN or infinity (written as 0)
     bool complete = true;          ///< false after a stop
+    int threads = 0;               ///< how many worked
 };
 
-/// Throws LimitError if the picture does not fit in memory.
+/// Throws LimitError if the picture does not fit in memory, and whatever a worker or `progress` threw.
 RenderResult render(const World& world, const RenderOptions& options);
+
+/// Bytes of a film; throws LimitError when `width` x `height` is not possible at all.
+std::uint64_t picture_memory(int width, int height);
+/// Throws LimitError when the picture needs more than `available` bytes.
+void check_picture_memory(int width, int height, std::uint64_t available);
+/// Physical memory that this process may still use, in bytes.
+std::uint64_t available_memory();
+
+/// Calls work(worker, tile) for every tile in [0, count), each on one of `threads` workers (0: all cores), in order of their numbers as far
+/// as the workers allow. Every call begins with the processor's default floating-point state (round to nearest, no flush to zero) and a
+/// stack that holds the deepest recursion. The first exception ends the work and is thrown here. Returns the number of workers.
+int for_each_tile(int threads, std::size_t count, const std::function<void(int worker, std::size_t tile)>& work);
+
+/// Workers for so many tiles: never more than tiles, never less than one.
+int worker_count(int threads, std::size_t tiles);
 
 }  // namespace rt

@@ -1,0 +1,59 @@
+#include "trace/sampling.h"
+
+#include <cmath>
+
+namespace rt {
+
+Contrast::Contrast(const Pixel& p, double exponent)
+    : r(std::pow(std::fmax(p.r, 0.0), exponent)),
+      g(std::pow(std::fmax(p.g, 0.0), exponent)),
+      b(std::pow(std::fmax(p.b, 0.0), exponent)),
+      transmittance(p.transmittance) {}
+
+double distance(const Contrast& a, const Contrast& b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) + std::abs(a.transmittance - b.transmittance);
+}
+
+int sample_centres(const SamplingTask& task, const Region& tile, std::vector<Pixel>& pixels) {
+    std::size_t next = 0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            if (task.stopped()) return y - tile.y0;
+            pixels[next++] = task.sample(x + 0.5, y + 0.5, 1);
+        }
+    }
+    return tile.height();
+}
+
+int sample_grid(const SamplingTask& task, const Region& tile, std::vector<Pixel>& pixels) {
+    const int n = task.sampling.depth;
+    std::size_t next = 0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            if (task.stopped()) return y - tile.y0;
+            PixelSum sum;
+            for (int sub_y = 0; sub_y < n; ++sub_y) {
+                for (int sub_x = 0; sub_x < n; ++sub_x) sum.add(task.sample(x * n + sub_x + 0.5, y * n + sub_y + 0.5, n));
+            }
+            pixels[next++] = sum.over(static_cast<double>(n) * n).pixel();
+        }
+    }
+    return tile.height();
+}
+
+int sample_tile(const SamplingTask& task, const Region& tile, std::vector<Pixel>& pixels) {
+    pixels.assign(static_cast<std::size_t>(tile.width()) * tile.height(), Pixel{});
+    switch (task.sampling.method) {
+        case Sampling::Method::none:
+            return sample_centres(task, tile, pixels);
+        case Sampling::Method::grid:
+            return sample_grid(task, tile, pixels);
+        case Sampling::Method::povray1:
+            return sample_povray1(task, tile, pixels);
+        case Sampling::Method::povray2:
+            return sample_povray2(task, tile, pixels);
+    }
+    return 0;
+}
+
+}  // namespace rt
