@@ -16,17 +16,17 @@ struct Slabs {
     double enter = -infinity, leave = infinity;
     std::uint32_t enter_face = 0, leave_face = 0;
 
-    /// A line along the planes is inside for ever or never; the division that would give NaN is not made.
+    /// A line along the planes is inside for ever or never; the division that would give NaN is not made. A NaN from the ray itself sticks.
     bool clip(double min, double max, double origin, double direction, std::uint32_t axis) {
         if (direction == 0.0) return origin >= min && origin <= max;
         const bool backward = direction < 0.0;
         const double t_in = ((backward ? max : min) - origin) / direction;
         const double t_out = ((backward ? min : max) - origin) / direction;
-        if (t_in > enter) {
+        if (!(t_in <= enter)) {
             enter = t_in;
             enter_face = 2 * axis + backward;
         }
-        if (t_out < leave) {
+        if (!(t_out >= leave)) {
             leave = t_out;
             leave_face = 2 * axis + !backward;
         }

@@ -1,5 +1,7 @@
 #include "geometry/polygon.h"
 
+#include "geometry/triangle.h"
+
 namespace rt {
 
 namespace {
@@ -32,16 +34,22 @@ Vec3 area_vector(const std::vector<Vec3>& points) {
     return largest;
 }
 
-/// Even-odd rule in the plane with coordinates x and y (indices of the vector's components), by a walk towards +x.
-/// An edge owns its lower end and not its upper one, so a walk through a vertex counts it once.
-bool contains(const std::vector<Vec3>& points, const Vec3& origin, const Vec3& p, int x, int y) {
+/// Even-odd rule in the plane that the shear of the watertight triangle test takes the outline to, by a walk towards +x. An edge owns its
+/// lower end and not its upper one, so a walk through a vertex counts it once; the side of an edge has the same answer for every polygon
+/// that has this edge, whichever way it is run through.
+bool contains(const std::vector<Vec3>& points, const TriangleRay& ray) {
+    const auto sheared = [&](const Vec3& point) {
+        const Vec3 p = point - ray.origin;
+        const double z = (&p.x)[ray.kz];
+        return Vec2((&p.x)[ray.kx] - ray.sx * z, (&p.x)[ray.ky] - ray.sy * z);
+    };
     bool inside = false;
-    for_each_edge(points, [&](std::size_t, const Vec3& from, const Vec3& to) {
-        const double from_x = from[x] - origin[x] - p[x], from_y = from[y] - origin[y] - p[y];
-        const double to_x = to[x] - origin[x] - p[x], to_y = to[y] - origin[y] - p[y];
-        if ((from_y > 0.0) == (to_y > 0.0)) return;
-        const double turn = from_x * to_y - to_x * from_y;
-        if ((turn > 0.0) == (to_y > 0.0)) inside = !inside;
+    for_each_edge(points, [&](std::size_t, const Vec3& from_point, const Vec3& to_point) {
+        const Vec2 from = sheared(from_point), to = sheared(to_point);
+        if ((from.y > 0.0) == (to.y > 0.0)) return;
+        double turn = from.x * to.y - from.y * to.x;
+        if (turn == 0.0) turn = difference_of_products(from.x, to.y, from.y, to.x);
+        if (to.y > 0.0 ? turn > 0.0 : turn < 0.0) inside = !inside;
     });
     return inside;
 }
@@ -51,13 +59,8 @@ bool contains(const std::vector<Vec3>& points, const Vec3& origin, const Vec3& p
 bool intersect(const Polygon& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
     if (shape.points.size() < 3) return false;
     const Vec3 n = area_vector(shape.points);
-    const Vec3& on_plane = shape.points.front();
-    const Vec3 f = ray.origin - on_plane;
-    const double t = -dot(f, n) / dot(ray.direction, n);
-    if (!range.contains(t)) return false;
-    const double nx = std::fabs(n.x), ny = std::fabs(n.y), nz = std::fabs(n.z);
-    const int dominant = nz >= nx && nz >= ny ? 2 : ny >= nx ? 1 : 0;
-    if (!contains(shape.points, on_plane, f + t * ray.direction, (dominant + 1) % 3, (dominant + 2) % 3)) return false;
+    const double t = dot(shape.points.front() - ray.origin, n) / dot(ray.direction, n);
+    if (!range.contains(t) || !contains(shape.points, TriangleRay(ray))) return false;
     hit.t = t;
     return true;
 }

@@ -2,11 +2,9 @@
 
 namespace rt {
 
-double exact_difference_of_products(double a, double b, double c, double d) {
-    const double ab = a * b;
+double difference_of_products(double a, double b, double c, double d) {
     const double cd = c * d;
-    if (ab != cd || !std::isfinite(ab)) return ab - cd;
-    return std::fma(a, b, -ab) - std::fma(c, d, -cd);
+    return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
 Bounds bounds(const Triangle& shape) {

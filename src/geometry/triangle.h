@@ -34,35 +34,55 @@ struct TriangleRay {
     double sx, sy, sz;
 };
 
-/// The sign of a b - c d where both products round to the same double: the difference of what rounding dropped.
-double exact_difference_of_products(double a, double b, double c, double d);
+/// a b - c d to within 1.5 ulp, so with the right sign (Kahan's method; Jeannerod, Louvet, Muller 2013, "Further Analysis of Kahan's
+/// Algorithm for the Accurate Computation of 2 x 2 Determinants").
+double difference_of_products(double a, double b, double c, double d);
+
+/// The triangle after the shear, seen along the ray: corners in the plane, depths, and twice the areas opposite to each corner.
+struct ShearedTriangle {
+    ShearedTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const TriangleRay& ray) {
+        const Vec3 A = a - ray.origin, B = b - ray.origin, C = c - ray.origin;
+        az = (&A.x)[ray.kz], bz = (&B.x)[ray.kz], cz = (&C.x)[ray.kz];
+        ax = (&A.x)[ray.kx] - ray.sx * az, ay = (&A.x)[ray.ky] - ray.sy * az;
+        bx = (&B.x)[ray.kx] - ray.sx * bz, by = (&B.x)[ray.ky] - ray.sy * bz;
+        cx = (&C.x)[ray.kx] - ray.sx * cz, cy = (&C.x)[ray.ky] - ray.sy * cz;
+        u = cx * by - cy * bx;
+        v = ax * cy - ay * cx;
+        w = bx * ay - by * ax;
+    }
+    void refine() {
+        u = difference_of_products(cx, by, cy, bx);
+        v = difference_of_products(ax, cy, ay, cx);
+        w = difference_of_products(bx, ay, by, ax);
+    }
+    /// Needles and triangles seen edge-on: the areas have lost too many digits to interpolate with.
+    bool cancels() const {
+        constexpr double lost = 16.0;
+        const double reach =
+            std::fmax(std::fabs(ax) + std::fabs(ay), std::fmax(std::fabs(bx) + std::fabs(by), std::fabs(cx) + std::fabs(cy)));
+        return lost * std::fabs(u + v + w) < reach * reach;
+    }
+    double ax, ay, az, bx, by, bz, cx, cy, cz, u, v, w;
+};
 
 /// Vertices in counter- or clockwise order, both sides count; a triangle without area is never hit. Sets t, u (weight of b) and
-/// v (weight of c). Rounding is monotone, so an edge function has the right sign or is zero, and zeros are decided exactly.
+/// v (weight of c). Rounding is monotone, so an area has the right sign or is zero, and zeros are decided exactly.
 inline bool intersect(const Vec3& a, const Vec3& b, const Vec3& c, const TriangleRay& ray, const Interval& range, ShapeHit& hit) {
-    const Vec3 A = a - ray.origin, B = b - ray.origin, C = c - ray.origin;
-    const double az = (&A.x)[ray.kz], bz = (&B.x)[ray.kz], cz = (&C.x)[ray.kz];
-    const double ax = (&A.x)[ray.kx] - ray.sx * az, ay = (&A.x)[ray.ky] - ray.sy * az;
-    const double bx = (&B.x)[ray.kx] - ray.sx * bz, by = (&B.x)[ray.ky] - ray.sy * bz;
-    const double cx = (&C.x)[ray.kx] - ray.sx * cz, cy = (&C.x)[ray.ky] - ray.sy * cz;
-    double u = cx * by - cy * bx;
-    double v = ax * cy - ay * cx;
-    double w = bx * ay - by * ax;
-    if (u == 0.0 || v == 0.0 || w == 0.0) [[unlikely]] {
-        if (u == 0.0) u = exact_difference_of_products(cx, by, cy, bx);
-        if (v == 0.0) v = exact_difference_of_products(ax, cy, ay, cx);
-        if (w == 0.0) w = exact_difference_of_products(bx, ay, by, ax);
-    }
-    if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return false;
-    const double area = u + v + w;
+    ShearedTriangle s(a, b, c, ray);
+    if (s.u == 0.0 || s.v == 0.0 || s.w == 0.0) [[unlikely]]
+        s.refine();
+    if ((s.u < 0.0 || s.v < 0.0 || s.w < 0.0) && (s.u > 0.0 || s.v > 0.0 || s.w > 0.0)) return false;
+    if (s.cancels()) [[unlikely]]
+        s.refine();
+    const double area = s.u + s.v + s.w;
     if (area == 0.0) return false;
-    const double t = (u * az + v * bz + w * cz) * ray.sz / area;
+    const double t = (s.u * s.az + s.v * s.bz + s.w * s.cz) * ray.sz / area;
     if (!range.contains(t)) return false;
     const Vec3 n = cross(b - a, c - a);
     if (n.x == 0.0 && n.y == 0.0 && n.z == 0.0) return false;
     hit.t = t;
-    hit.u = v / area;
-    hit.v = w / area;
+    hit.u = s.v / area;
+    hit.v = s.w / area;
     return true;
 }
 
