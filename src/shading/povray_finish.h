@@ -47,6 +47,14 @@ inline Rgb angular_reflectivity(const Rgb& min, const Rgb& max, double falloff, 
     return k * max + (1.0 - k) * min;
 }
 
+/// Light along a mirrored ray as `reflection { exponent x }` takes it: to the power 1 / x per channel. Negative light, which has no such
+/// power, becomes 0.
+inline Rgb reflected_light(const Rgb& light, double exponent) {
+    if (exponent == 1.0) return light;
+    const auto root = [&](double x) { return x > 0.0 ? std::pow(x, 1.0 / exponent) : 0.0; };
+    return {root(light.r), root(light.g), root(light.b)};
+}
+
 /// The cubic that joins 0 at `low` to 1 at `high`.
 inline double cubic_step(double low, double high, double x) {
     if (x < low) return 0.0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trace/options.h"
+#include "trace/ray_log.h"
 #include "world/world.h"
 
 namespace rt {
@@ -34,6 +35,8 @@ public:
 
     /// `ray.direction` is unit. The same ray gives the same bits whatever was traced before.
     Radiance camera_ray(const Ray& ray);
+    /// The same, and records what the ray met in `log` (emptied first).
+    Radiance camera_ray(const Ray& ray, RayLog& log);
     const RayCounts& counts() const;
 
 private:

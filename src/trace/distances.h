@@ -1,0 +1,57 @@
+// Where a ray that leaves a surface begins and how far it looks: POV-Ray's absolute lengths, or lengths that follow the error of the hit
+// point.
+#pragma once
+
+#include <algorithm>
+
+#include "core/ray.h"
+#include "trace/options.h"
+
+namespace rt {
+
+/// A point where a ray met a surface.
+struct SurfacePoint {
+    Vec3 point{0.0};
+    Vec3 normal{0.0};     ///< unit, turned against the ray
+    Vec3 direction{0.0};  ///< the ray's, unit
+    double t = 0.0;       ///< length of the ray up to here
+    double error = 0.0;   ///< bound of the distance between `point` and the surface; 0 where it does not matter
+    std::uint32_t object = 0;
+    bool inside = false;  ///< the ray came from the side away from the shape's own normal
+};
+
+class DistanceRules {
+public:
+    DistanceRules(Distances kind, double scene_extent) : povray_(kind == Distances::povray), floor_(16.0 * epsilon * scene_extent) {}
+
+    /// Rounding of a point reached by a ray of length t, and of the shape there: relative to the coordinates, and never below the spacing
+    /// of the largest coordinate in the scene. The relative part is generous (2^-33): a torus is a quartic.
+    double point_error(const Vec3& p, double t) const {
+        if (povray_) return 0.0;
+        return floor_ + relative * (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) + t);
+    }
+
+    /// Origin of a ray from `at` towards `direction`. Scaled rule: moved off the surface along the normal, so that a grazing ray clears it
+    /// too (Waechter, Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection").
+    Vec3 leave(const SurfacePoint& at, const Vec3& direction) const {
+        if (povray_) return at.point;
+        return at.point + (dot(at.normal, direction) < 0.0 ? -at.error : at.error) * at.normal;
+    }
+
+    /// Where traced rays find hits.
+    Interval traced() const { return povray_ ? Interval{1e-4, 1e7} : Interval{0.0, infinity}; }
+
+    /// Where a ray of length `distance` towards a light finds blockers.
+    Interval shadow(double distance, double error) const {
+        if (povray_) return {1e-3, std::min(distance - 1e-3, 1e7)};
+        return {0.0, distance * (1.0 - relative) - 2.0 * error};
+    }
+
+private:
+    static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    static constexpr double relative = 0x1p-33;
+    bool povray_;
+    double floor_;
+};
+
+}  // namespace rt

@@ -1,0 +1,53 @@
+// One light as a surface point sees it: direction, distance, attenuation, and the grid of an area light.
+#pragma once
+
+#include "world/world.h"
+
+namespace rt {
+
+/// Towards a light: unit direction, and the length along it at which shadows end (negative behind a parallel light's plane).
+struct LightRay {
+    Vec3 direction{0.0};
+    double distance = 0.0;
+};
+
+/// A light with everything derived from it that does not depend on the point.
+class LightSource {
+public:
+    explicit LightSource(const Light& light);
+
+    const Light& light() const { return *light_; }
+    const AreaLight* area() const { return light_->area ? &*light_->area : nullptr; }
+
+    /// From `point` to the light when it stands at `location` (its own, or a sample's of its area). The zero direction where there is none:
+    /// the light is at the point, or a directed light has no direction.
+    LightRay towards(const Vec3& location, const Vec3& point) const;
+
+    /// Factor on the light's colour at `point`: spot cone, cylinder, fading with distance. 0..2; never NaN.
+    double attenuation(const Vec3& location, const Vec3& point, const LightRay& ray) const;
+
+private:
+    double cone(const Vec3& from_light) const;
+    double cylinder(const Vec3& location, const Vec3& point) const;
+    double fade(double distance) const;
+
+    const Light* light_;
+    Vec3 axis_{0.0};  ///< unit, the way the light shines; zero if location and point_at are one
+    double cos_radius_ = 0.0, cos_falloff_ = 0.0;
+    bool fades_ = false;
+};
+
+/// The grid of an area light, turned towards a point where it says `orient`.
+class AreaGrid {
+public:
+    AreaGrid(const Light& light, const Vec3& point);
+    /// Location of sample (i, j), 0 <= i < size1, 0 <= j < size2.
+    Vec3 position(int i, int j) const;
+
+private:
+    const Light* light_;
+    Vec3 axis1_, axis2_;
+    bool circular_;
+};
+
+}  // namespace rt

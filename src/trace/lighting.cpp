@@ -1,0 +1,133 @@
+#include "trace/lighting.h"
+
+#include "shading/optics.h"
+#include "shading/povray_finish.h"
+
+namespace rt {
+namespace {
+
+bool is_dark(const Rgb& light) { return std::fabs(light.r) < 1e-10 && std::fabs(light.g) < 1e-10 && std::fabs(light.b) < 1e-10; }
+
+}  // namespace
+
+Lighting::Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules)
+    : world_(world),
+      general_(options.shading == ShadingModel::general && world.features.general_specular),
+      cast_shadows_(options.quality.shadows),
+      shadows_(world, rules, options.distances) {
+    for (const Light& light : world.lights) sources_.emplace_back(light);
+}
+
+Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
+                              RayNode* log) const {
+    View view{.at = at, .layers = layers, .inside = inside, .both_sides = world_.objects[at.object].double_illuminate, .log = log};
+    bool microfacets = false;
+    for (const ActiveLayer& layer : layers) {
+        const Finish& finish = layer.finish->finish;
+        view.any_diffuse |= finish.diffuse != 0.0 && layer.opacity != 0.0;
+        view.back_diffuse |= finish.diffuse_back != 0.0;
+        view.any_highlight |= finish.phong != 0.0 || finish.specular != 0.0;
+        microfacets |= layer.finish->s != 0.0;
+    }
+    if (view.any_highlight) view.mirrored = reflect(at.direction, at.normal);
+    if (microfacets && general_) view.incline_v = incline(at.normal, -at.direction);
+    return view;
+}
+
+void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
+                      LocalLight& result, RayNode* log) {
+    const View shared = view(at, layers, inside, log);
+    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse) return;
+    for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
+}
+
+/// Can light from this side contribute anything?
+bool Lighting::is_seen(const View& view, double n_dot_l, bool shadowless) const {
+    if (n_dot_l >= facing_cosine || view.both_sides) return view.any_diffuse || (view.any_highlight && !shadowless);
+    return view.back_diffuse && !std::isnan(n_dot_l);
+}
+
+void Lighting::one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result) {
+    const Light& light = source.light();
+    const SurfacePoint& at = view.at;
+    const bool illuminates_by_area = source.area() != nullptr && source.area()->area_illumination && !light.shadowless;
+    const LightRay ray = source.towards(light.location, at.point);
+    const double n_dot_l = dot(at.normal, ray.direction);
+    if (!illuminates_by_area && !is_seen(view, n_dot_l, light.shadowless)) return;
+
+    Rgb arriving = light.color;
+    if (!illuminates_by_area) arriving *= source.attenuation(light.location, at.point, ray);
+    if (is_dark(arriving)) return;
+    if (cast_shadows_ && !light.shadowless) {
+        if (source.area() != nullptr) {
+            arriving = shadows_.area(source, index, arriving, at, view.inside, view.log);
+        } else {
+            ShadowAnswer answer{index, 0, Rgb(1.0), {}};
+            arriving *= shadows_.transmitted(at, ray, view.inside, view.log != nullptr ? &answer : nullptr);
+            if (view.log != nullptr) view.log->shadows.push_back(std::move(answer));
+        }
+        if (arriving == Rgb(0.0)) return;
+    }
+    if (illuminates_by_area) {
+        area_illumination(source, arriving, view, result);
+    } else {
+        add(view, ray.direction, n_dot_l, arriving, light.shadowless, result);
+    }
+}
+
+void Lighting::area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const {
+    const AreaLight& area = *source.area();
+    const AreaGrid grid(source.light(), view.at.point);
+    const double share = 1.0 / (static_cast<double>(area.size1) * area.size2);
+    for (int j = 0; j < area.size2; ++j) {
+        for (int i = 0; i < area.size1; ++i) {
+            const Vec3 location = grid.position(i, j);
+            const LightRay ray = source.towards(location, view.at.point);
+            const double n_dot_l = dot(view.at.normal, ray.direction);
+            if (!is_seen(view, n_dot_l, false)) continue;
+            const Rgb arriving = share * source.attenuation(location, view.at.point, ray) * light;
+            add(view, ray.direction, n_dot_l, arriving, false, result);
+        }
+    }
+}
+
+void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const {
+    const bool front = n_dot_l >= facing_cosine || view.both_sides;
+    const double cos = std::fabs(n_dot_l);
+    for (const ActiveLayer& layer : view.layers) {
+        const Finish& finish = layer.finish->finish;
+        const Rgb arriving = layer.above * light;
+        double diffuse = (front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
+        if (general_) diffuse *= 1.0 - layer.finish->s;
+        if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
+        if (front && !shadowless && view.any_highlight) result.specular += arriving * highlights(view, layer, l, n_dot_l);
+    }
+}
+
+/// Factor on the light that arrives, for phong and specular together.
+Rgb Lighting::highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const {
+    const Finish& finish = layer.finish->finish;
+    double lobes = 0.0;
+    if (finish.phong != 0.0) lobes += finish.phong * phong_lobe(dot(view.mirrored, l), finish.phong_size);
+    if (finish.specular != 0.0 && !general_) {
+        const Vec3 half = l - view.at.direction;
+        const double size = length(half);
+        if (size > 0.0) lobes += finish.specular * specular_lobe(dot(half, view.at.normal) / size, layer.finish->specular_exponent);
+    }
+    Rgb sum(lobes);
+    if (lobes != 0.0 && finish.metallic != 0.0) sum *= metallic_tint(layer.color.rgb, finish.metallic, std::fabs(n_dot_l));
+    if (general_ && layer.finish->s != 0.0) sum += microfacet(view, layer, l);
+    return sum;
+}
+
+Rgb Lighting::microfacet(const View& view, const ActiveLayer& layer, const Vec3& l) const {
+    const MicrofacetTerms terms;
+    HalfGeometry g;
+    if (!half_geometry(view.at.normal, l, -view.at.direction, view.incline_v, g)) return Rgb(0.0);
+    const double lobe = layer.finish->s * microfacet_lobe(terms, g, layer.finish->alpha);
+    const double metallic = layer.finish->finish.metallic;
+    if (metallic == 0.0) return Rgb(lobe * F(terms.F, layer.finish->f0, g.v_dot_h));
+    return lobe * F(terms.F, layer.finish->f0 * (Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0))), g.v_dot_h);
+}
+
+}  // namespace rt

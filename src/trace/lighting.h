@@ -1,0 +1,65 @@
+// What the lights do at one surface point: POV-Ray's finish, or the general microfacet form.
+#pragma once
+
+#include "shading/microfacet.h"
+#include "trace/shadow.h"
+
+namespace rt {
+
+/// One layer of a surface as light meets it.
+struct ActiveLayer {
+    PigmentColor color;
+    const SurfaceFinish* finish = nullptr;
+    double opacity = 1.0;
+    Rgb above{1.0};  ///< what the layers over it let through
+};
+
+/// Radiance towards the viewer, kept apart by kind.
+struct LocalLight {
+    Rgb ambient{0.0}, diffuse{0.0}, specular{0.0};
+    Rgb sum() const { return ambient + diffuse + specular; }
+};
+
+/// `--shading general`: per light (1-s) diffuse pigment (n.l)^brilliance + s (n.l) D G F / (4 n.l n.v), s the finish's specular in 0..1.
+/// `metallic m` tints the reflectance at normal incidence, F0 (1 + m (pigment - 1)), so that the tint fades towards grazing as it does in
+/// POV-Ray. Phong highlights and everything else are POV-Ray's in both models.
+class Lighting {
+public:
+    Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules);
+
+    /// Adds what every light contributes to `result`. `inside`: interiors that the viewing ray is in. `log` may be null.
+    void direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, LocalLight& result,
+                RayNode* log);
+
+    std::uint64_t shadow_rays() const { return shadows_.rays; }
+
+private:
+    /// What all lights share at one point.
+    struct View {
+        const SurfacePoint& at;
+        std::span<const ActiveLayer> layers;
+        std::span<const std::uint32_t> inside;
+        bool both_sides = false;  ///< double_illuminate
+        bool back_diffuse = false;
+        bool any_diffuse = false;
+        bool any_highlight = false;
+        Vec3 mirrored{0.0};
+        Incline incline_v{};
+        RayNode* log = nullptr;
+    };
+    View view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, RayNode* log) const;
+    bool is_seen(const View& view, double n_dot_l, bool shadowless) const;
+    void one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result);
+    void area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const;
+    void add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const;
+    Rgb highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
+    Rgb microfacet(const View& view, const ActiveLayer& layer, const Vec3& l) const;
+
+    const World& world_;
+    bool general_;
+    bool cast_shadows_;
+    std::vector<LightSource> sources_;
+    Shadows shadows_;
+};
+
+}  // namespace rt

@@ -1,0 +1,76 @@
+// The recursion of one worker: a ray to the light that comes back along it.
+#pragma once
+
+#include "trace/interior_list.h"
+#include "trace/lighting.h"
+#include "trace/tracer.h"
+
+namespace rt {
+
+/// A ray on its way, with everything that its past decides. Transmitted rays continue the same path; only mirrored ones start another.
+struct Path {
+    Ray ray;
+    double weight = 1.0;  ///< how much its light can matter to the pixel
+    int level = 0;        ///< rays entered before it
+    RayKind kind = RayKind::image;
+    bool straight = false;       ///< goes on unbent: not a new level
+    Rgb filter{1.0};             ///< on light found from here on
+    double transmittance = 1.0;  ///< share of the background that shows, for alpha
+};
+
+class Recursion {
+public:
+    Recursion(const World& world, const TraceOptions& options);
+
+    Radiance camera_ray(const Ray& ray, RayLog* log);
+
+    RayCounts counts;
+    std::uint64_t shadow_rays() const { return lighting_.shadow_rays(); }
+
+private:
+    /// A layer's mirror, remembered until it is known that the surface does not reflect totally.
+    struct Mirror {
+        Rgb reflectivity;
+        double weight = 0.0;
+        double exponent = 1.0;
+    };
+    /// A surface with its layers resolved; ranges of the scratch vectors.
+    struct Surface {
+        SurfacePoint at;
+        const CompiledObject* object = nullptr;
+        std::size_t first_layer = 0, first_mirror = 0;
+        Rgb filter{1.0};     ///< of all layers together
+        double trans = 1.0;  ///< its grey value, at most 1
+        Crossing crossing{};
+        std::uint32_t node = RayNode::none;
+    };
+
+    Radiance trace(Path path, std::size_t first_interior, std::uint32_t first_node);
+    bool step(Path& path, Radiance& result, std::uint32_t& at_node);
+    SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
+    void resolve_layers(Surface& surface, double weight);
+    Rgb local_light(const Surface& surface);
+    bool pass(const Surface& surface, Path& path, Radiance& result, std::uint32_t& at_node);
+    void reflect_layers(const Surface& surface, const Path& path, Radiance& result);
+    std::uint32_t start_node(std::uint32_t parent, RayNode::Kind kind, const Path& path, const Rgb& factor, double exponent);
+    RayNode* node(std::uint32_t index);
+    void log_surface(RayNode& record, const Surface& surface, const Hit& hit) const;
+    std::span<const std::uint32_t> inside() const { return std::span(interiors_).subspan(first_interior_); }
+
+    const World& world_;
+    Quality quality_;
+    DistanceRules rules_;
+    Lighting lighting_;
+    SurfaceLayers layers_at_;
+    int max_level_;
+    double adc_bailout_;
+
+    // Scratch, used as stacks: a ray leaves them as it found them.
+    std::vector<std::uint32_t> interiors_;
+    std::size_t first_interior_ = 0;  ///< of the path in hand
+    std::vector<ActiveLayer> layers_;
+    std::vector<Mirror> mirrors_;
+    RayLog* log_ = nullptr;
+};
+
+}  // namespace rt

@@ -1,0 +1,114 @@
+#include "trace/shadow.h"
+
+#include "shading/optics.h"
+#include "trace/area_average.h"
+
+namespace rt {
+namespace {
+
+/// Beyond so many surfaces on the way to a light nothing is left of it.
+constexpr int most_crossings = 10000;
+/// Larger area lights ask shared corners again instead of remembering them.
+constexpr std::int64_t most_cached_samples = 1 << 20;
+
+}  // namespace
+
+Shadows::Shadows(const World& world, const DistanceRules& rules, Distances distances)
+    : world_(world), rules_(rules), opaque_first_(distances == Distances::scaled), layers_(world) {}
+
+Rgb Shadows::transmitted(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer) {
+    ++rays;
+    Rgb light(1.0);
+    if (!world_.features.transmits || opaque_first_) {
+        const Interval range = rules_.shadow(ray.distance, at.error);
+        if (range.min < range.max && world_.occluded({rules_.leave(at, ray.direction), ray.direction}, range)) light = Rgb(0.0);
+    }
+    if (world_.features.transmits && light != Rgb(0.0)) light = through_transparent(at, ray, inside, answer);
+    if (answer != nullptr) answer->transmitted = light;
+    return light;
+}
+
+Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer) {
+    Rgb light(1.0);
+    inside_.assign(inside.begin(), inside.end());
+    SurfacePoint from = at;
+    double left = ray.distance;
+    for (int i = 0; i < most_crossings; ++i) {
+        const Ray segment{rules_.leave(from, ray.direction), ray.direction};
+        const Interval range = rules_.shadow(left, from.error);
+        Hit hit;
+        if (!(range.min < range.max) || !world_.nearest(segment, range, RayKind::shadow, hit)) return light;
+        const CompiledObject& object = world_.objects[hit.object];
+        if (!world_.materials[object.material].can_transmit) return Rgb(0.0);
+        if (answer != nullptr) answer->crossed.push_back(hit.object);
+
+        const Vec3 point = segment.at(hit.shape.t);
+        const Vec3 normal = world_.normal(hit, point);
+        light *= filtered(hit, point, ray.direction, normal);
+        fade(object.interior, hit.shape.t, light);
+        if (light == Rgb(0.0)) return light;
+
+        left -= hit.shape.t;
+        from = {.point = point,
+                .normal = dot(normal, ray.direction) > 0.0 ? -normal : normal,
+                .direction = ray.direction,
+                .t = hit.shape.t,
+                .error = rules_.point_error(point, hit.shape.t),
+                .object = hit.object};
+    }
+    return Rgb(0.0);
+}
+
+Rgb Shadows::filtered(const Hit& hit, const Vec3& point, const Vec3& direction, const Vec3& normal) {
+    const CompiledObject& object = world_.objects[hit.object];
+    const double cos = dot(normal, direction);
+    const double caustics = world_.interiors[object.interior].caustics;
+    const double focus = caustics == 0.0 ? 1.0 : 1.0 + std::pow(std::fmin(std::fabs(cos), 1.0), caustics);
+    Rgb filter(1.0);
+    for (const LayerSample& layer : layers_.at(object, cos > 0.0, point)) {
+        filter *= focus * (layer.color.filter * layer.color.rgb + Rgb(layer.color.transmit));
+    }
+    return filter;
+}
+
+void Shadows::fade(std::uint32_t interior, double segment, Rgb& light) {
+    const CompiledInterior& medium = world_.interiors[interior];
+    for (std::size_t i = 0; i < inside_.size(); ++i) {
+        if (inside_[i] != interior) continue;
+        if (medium.fade_power > 0.0) light *= distance_fade(segment, medium.fade_distance, medium.fade_power, medium.fade_color);
+        inside_.erase(inside_.begin() + static_cast<std::ptrdiff_t>(i));
+        return;
+    }
+    inside_.push_back(interior);
+}
+
+Rgb Shadows::area(const LightSource& source, std::uint32_t index, const Rgb& color, const SurfacePoint& at,
+                  std::span<const std::uint32_t> inside, RayNode* log) {
+    const AreaLight& area = *source.area();
+    const AreaGrid grid(source.light(), at.point);
+    const std::int64_t count = std::int64_t{area.size1} * area.size2;
+    const bool cached = count <= most_cached_samples;
+    if (cached && samples_.size() < static_cast<std::size_t>(count)) samples_.resize(static_cast<std::size_t>(count));
+    if (++stamp_ == 0) {
+        for (Cached& sample : samples_) sample.stamp = 0;
+        stamp_ = 1;
+    }
+    const auto ask = [&](int u, int v) {
+        ShadowAnswer answer{
+            index, static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(area.size1) + static_cast<std::uint32_t>(u), Rgb(1.0), {}};
+        const LightRay ray = source.towards(grid.position(u, v), at.point);
+        const Rgb light = color * transmitted(at, ray, inside, log != nullptr ? &answer : nullptr);
+        if (log != nullptr) log->shadows.push_back(std::move(answer));
+        return light;
+    };
+    auto sample = [&](int u, int v) {
+        if (!cached) return ask(u, v);
+        Cached& entry = samples_[static_cast<std::size_t>(std::int64_t{v} * area.size1 + u)];
+        if (entry.stamp != stamp_) entry = {ask(u, v), stamp_};
+        return entry.light;
+    };
+    constexpr int always = 100;
+    return average_corners({0, 0, area.size1 - 1, area.size2 - 1}, 0, area.adaptive.value_or(always), sample);
+}
+
+}  // namespace rt
