@@ -1,6 +1,7 @@
 #include "film/encode.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/vec.h"
@@ -18,19 +19,20 @@ double raise(double value, double power) { return power == 1.0 ? value : std::po
 /// POV-Ray takes a gamma this close to 1 for 1.
 double power_of(const Curve& curve) { return std::abs(curve.power - 1.0) <= 0.01 ? 1.0 : curve.power; }
 
-/// The same file, from linear light.
-Encoding from_linear(Encoding encoding) {
-    encoding.working = Curve{};
-    return encoding;
-}
-
-/// The linear light of what a file holds, the inverse of encode() from linear light.
+/// Where a file number came from: the inverse of encode().
 double decode(double stored, const Encoding& encoding) {
-    if (encoding.raw) return stored;
-    return encoding.file.kind == Curve::Kind::srgb ? decode_srgb(stored) : raise(stored, power_of(encoding.file));
+    Encoding inverse = encoding;
+    std::swap(inverse.working, inverse.file);
+    return encode(stored, inverse);
 }
 
 double highest(const Encoding& encoding) { return encoding.bits == 8 ? 255.0 : 65535.0; }
+
+/// The number nearest to a fraction, clamped; NaN becomes 0.
+std::uint16_t level(double fraction, const Encoding& encoding) {
+    if (!(fraction > 0.0)) return 0;
+    return static_cast<std::uint16_t>(std::floor(std::fmin(fraction, 1.0) * highest(encoding) + 0.5));
+}
 
 }  // namespace
 
@@ -48,49 +50,48 @@ double encode(double value, const Encoding& encoding) {
     return to_power ? raise(decode_srgb(value), 1.0 / power_of(encoding.file)) : value;
 }
 
-std::uint16_t quantise(double value, const Encoding& encoding) {
-    const double e = encode(value, encoding);
-    if (!(e > 0.0)) return 0;
-    return static_cast<std::uint16_t>(std::floor(std::fmin(e, 1.0) * highest(encoding) + 0.5));
-}
+std::uint16_t quantise(double value, const Encoding& encoding) { return level(encode(value, encoding), encoding); }
 
-double stored_alpha(const Pixel& pixel) {
+Pixel with_alpha(const Pixel& pixel) {
     const double coverage = 1.0 - pixel.transmittance;
-    const double alpha = std::fmax(coverage, grey(Rgb(pixel.r, pixel.g, pixel.b)));
-    return std::clamp(std::isnan(alpha) ? 0.0 : alpha, 0.0, 1.0);
+    const double alpha = std::clamp(std::fmax(coverage, grey(Rgb(pixel.r, pixel.g, pixel.b))), 0.0, 1.0);
+    if (!(alpha > 0.0)) return {0.0f, 0.0f, 0.0f, 1.0f};
+    const auto divided = [&](float v) { return static_cast<float>(v / alpha); };
+    return {divided(pixel.r), divided(pixel.g), divided(pixel.b), static_cast<float>(1.0 - alpha)};
 }
 
 struct RowEncoder::State {
-    State(const Film& f, const Encoding& e)
-        : film(f), encoding(e), linear(from_linear(e)), direct(e, static_cast<std::size_t>(f.width) * f.height * 3) {
+    State(const Film& f, const Encoding& e) : film(f), encoding(e), table(e, static_cast<std::size_t>(f.width) * f.height * 3) {
         if (e.dither) carry.resize(static_cast<std::size_t>(f.width) + 2), below.resize(carry.size());
     }
 
-    /// Linear light of a pixel as stored: divided by alpha where there is one.
-    Rgb stored_light(const Pixel& p, double& alpha) const {
-        Rgb light(to_linear(p.r, encoding), to_linear(p.g, encoding), to_linear(p.b, encoding));
-        alpha = 1.0;
-        if (!encoding.alpha) return light;
-        alpha = stored_alpha({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b), p.transmittance});
-        return alpha > 0.0 ? light / alpha : Rgb(0.0);
-    }
-
-    std::uint16_t dithered(double light, int channel, std::size_t x);
+    void plain_row(const Pixel* pixels, std::uint16_t* out) const;
     void dither_row(const Pixel* pixels, std::uint16_t* out);
+    std::uint16_t dithered(double value, int channel, std::size_t x);
 
     const Film& film;
     Encoding encoding;
-    Encoding linear;
-    Quantiser direct;
+    Quantiser table;
     int y = 0;
-    std::vector<Rgb> carry;  ///< errors for the row in hand; [x + 1] belongs to column x
-    std::vector<Rgb> below;  ///< errors for the next row
+    using Errors = std::array<double, 4>;
+    std::vector<Errors> carry;  ///< errors for the row in hand; [x + 1] belongs to column x
+    std::vector<Errors> below;  ///< errors for the next row
 };
 
-std::uint16_t RowEncoder::State::dithered(double light, int channel, std::size_t x) {
-    const double wanted = light + carry[x + 1][channel];
-    const std::uint16_t stored = quantise(wanted, linear);
-    const double error = std::clamp(std::isnan(wanted) ? 0.0 : wanted, 0.0, 1.0) - decode(stored / highest(linear), linear);
+void RowEncoder::State::plain_row(const Pixel* pixels, std::uint16_t* out) const {
+    for (const Pixel* p = pixels; p != pixels + film.width; ++p) {
+        const Pixel stored = encoding.alpha ? with_alpha(*p) : *p;
+        *out++ = table(stored.r), *out++ = table(stored.g), *out++ = table(stored.b);
+        if (encoding.alpha) *out++ = level(1.0 - stored.transmittance, encoding);
+    }
+}
+
+std::uint16_t RowEncoder::State::dithered(double value, int channel, std::size_t x) {
+    const bool is_alpha = channel == 3;
+    const double wanted = value + carry[x + 1][channel];
+    const std::uint16_t stored = is_alpha ? level(wanted, encoding) : quantise(wanted, encoding);
+    const double fraction = stored / highest(encoding);
+    const double error = std::clamp(std::isnan(wanted) ? 0.0 : wanted, 0.0, 1.0) - (is_alpha ? fraction : decode(fraction, encoding));
     carry[x + 2][channel] += error * 7.0 / 16.0;
     below[x][channel] += error * 3.0 / 16.0;
     below[x + 1][channel] += error * 5.0 / 16.0;
@@ -101,16 +102,15 @@ std::uint16_t RowEncoder::State::dithered(double light, int channel, std::size_t
 /// POV-Ray swaps its two error rows only after it has read the first pixel of a row: that pixel gets what was meant for the first pixel of
 /// the row above, and its own share is lost.
 void RowEncoder::State::dither_row(const Pixel* pixels, std::uint16_t* out) {
-    const Rgb first = carry[1];
+    const Errors first = carry[1];
     carry.swap(below);
-    std::fill(below.begin(), below.end(), Rgb(0.0));
-    const Rgb own = carry[1];
+    std::fill(below.begin(), below.end(), Errors{});
+    const Errors own = carry[1];
     carry[1] = first;
     for (std::size_t x = 0; x < static_cast<std::size_t>(film.width); ++x) {
-        double alpha = 1.0;
-        const Rgb light = stored_light(pixels[x], alpha);
-        for (int c = 0; c < 3; ++c) *out++ = dithered(light[c], c, x);
-        if (encoding.alpha) *out++ = static_cast<std::uint16_t>(std::floor(alpha * highest(encoding) + 0.5));
+        const Pixel stored = encoding.alpha ? with_alpha(pixels[x]) : pixels[x];
+        *out++ = dithered(stored.r, 0, x), *out++ = dithered(stored.g, 1, x), *out++ = dithered(stored.b, 2, x);
+        if (encoding.alpha) *out++ = dithered(1.0 - stored.transmittance, 3, x);
     }
     carry[1] = own;
 }
@@ -123,17 +123,7 @@ int RowEncoder::channels() const { return state_->encoding.alpha ? 4 : 3; }
 void RowEncoder::next(std::uint16_t* out) {
     State& s = *state_;
     const Pixel* row = &s.film.pixels[static_cast<std::size_t>(s.y++) * s.film.width];
-    if (s.encoding.dither) return s.dither_row(row, out);
-    for (const Pixel* p = row; p != row + s.film.width; ++p) {
-        if (!s.encoding.alpha) {
-            *out++ = s.direct(p->r), *out++ = s.direct(p->g), *out++ = s.direct(p->b);
-            continue;
-        }
-        double alpha = 1.0;
-        const Rgb light = s.stored_light(*p, alpha);
-        for (int c = 0; c < 3; ++c) *out++ = quantise(light[c], s.linear);
-        *out++ = static_cast<std::uint16_t>(std::floor(alpha * highest(s.encoding) + 0.5));
-    }
+    s.encoding.dither ? s.dither_row(row, out) : s.plain_row(row, out);
 }
 
 std::vector<std::uint16_t> quantise(const Film& film, const Encoding& encoding) {

@@ -35,9 +35,9 @@ std::uint16_t quantise(double value, const Encoding& encoding);
 /// All pixels, interleaved RGB or (un-premultiplied) RGBA, row by row from the top.
 std::vector<std::uint16_t> quantise(const Film& film, const Encoding& encoding);
 
-/// Alpha that a file stores for a pixel: 1 - transmittance, raised to the grey value of what is brighter than its coverage allows, so that
-/// colour divided by it seldom exceeds 1. In 0..1; `pixel` is in linear light.
-double stored_alpha(const Pixel& pixel);
+/// A pixel as a file with alpha holds it: transmittance becomes 1 - alpha and the colour is divided by alpha, both in the working space.
+/// Alpha is 1 - transmittance, but at least the grey value of the colour, so that light brighter than its coverage allows is not lost.
+Pixel with_alpha(const Pixel& pixel);
 
 /// The rows of a film as a file's numbers, one after the other: dithering carries its errors from row to row.
 class RowEncoder {
