@@ -1,0 +1,141 @@
+#include "commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "commands/suggest.h"
+#include "core/source.h"
+
+namespace rt {
+
+namespace {
+
+/// Options in two columns; the usage and the footer as they are.
+class ScreenFormatter : public CLI::Formatter {
+public:
+    explicit ScreenFormatter(std::string usage) : usage_(std::move(usage)) { column_width(26); }
+    std::string make_usage(const CLI::App*, std::string) const override { return usage_ + "\n"; }
+    std::string make_group(std::string, bool, std::vector<const CLI::Option*> options) const override {
+        std::string text;
+        for (const CLI::Option* option : options) text += make_option(option, false);
+        return text;
+    }
+    std::string make_option_opts(const CLI::Option* option) const override {
+        return option->get_items_expected_max() == 0 ? "" : " " + option->get_type_name();
+    }
+    std::string make_option_name(const CLI::Option* option, bool) const override {
+        std::string names;
+        for (const std::string& s : option->get_snames()) names += "-" + s + ", ";
+        for (const std::string& l : option->get_lnames()) return names + "--" + l;
+        return names.substr(0, names.size() - 2);
+    }
+
+private:
+    std::string usage_;
+};
+
+}  // namespace
+
+struct CommandLine::State {
+    CLI::App app;
+    std::vector<std::string> others;
+    bool help_asked = false;
+};
+
+CommandLine::CommandLine(std::string usage, std::string footer) : state_(std::make_unique<State>()) {
+    state_->app.formatter(std::make_shared<ScreenFormatter>(std::move(usage)));
+    state_->app.footer(std::move(footer));
+    state_->app.set_help_flag("");
+    state_->app.add_flag("-h,--help", state_->help_asked, "this text");
+    state_->app.allow_extras();
+}
+
+CommandLine::~CommandLine() = default;
+
+void CommandLine::value(const std::string& names, const std::string& type, const std::string& help,
+                        std::function<void(const std::string&)> use) {
+    CLI::Option* option = state_->app.add_option(
+        names,
+        [use = std::move(use), this](const CLI::results_t& results) {
+            if (!state_->help_asked) use(results.back());
+            return true;
+        },
+        help);
+    option->type_name(type)->type_size(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    if (help.empty()) option->group("");
+}
+
+void CommandLine::values(const std::string& names, const std::string& type, const std::string& help,
+                         std::function<void(const std::string&)> use) {
+    CLI::Option* option = state_->app.add_option(
+        names,
+        [use = std::move(use), this](const CLI::results_t& results) {
+            if (!state_->help_asked)
+                for (const std::string& result : results) use(result);
+            return true;
+        },
+        help);
+    option->type_name(type)->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    if (help.empty()) option->group("");
+}
+
+void CommandLine::flag(const std::string& names, const std::string& help, std::function<void()> use) {
+    CLI::Option* option = state_->app.add_flag_function(
+        names,
+        [use = std::move(use), this](std::int64_t count) {
+            if (!state_->help_asked && count > 0) use();
+        },
+        help);
+    if (help.empty()) option->group("");
+}
+
+bool CommandLine::takes_value(const std::string& word) const {
+    const CLI::Option* option = state_->app.get_option_no_throw(word);
+    return option && option->get_items_expected_max() > 0;
+}
+
+std::vector<std::string> CommandLine::long_names() const {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : state_->app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::vector<std::string> CommandLine::parse(const std::vector<std::string>& words) {
+    // Words behind `--` are kept from CLI11, which would not tell them from misspelt options.
+    const auto end_of_options = std::find(words.begin(), words.end(), "--");
+    std::vector<std::string> reversed(std::make_reverse_iterator(end_of_options), words.rend());
+    try {
+        state_->app.parse(reversed);
+    } catch (const CLI::ParseError& error) {
+        throw OptionError(error.what());
+    }
+    if (state_->help_asked) return {};
+    std::vector<std::string> others = state_->app.remaining();
+    for (const std::string& word : others) {
+        if (!word.starts_with('-') || word == "-") continue;
+        const std::string name = word.substr(0, word.find('='));
+        throw OptionError("unknown option '" + name + "'" + did_you_mean(name, long_names()));
+    }
+    if (end_of_options != words.end()) others.insert(others.end(), end_of_options + 1, words.end());
+    return others;
+}
+
+bool CommandLine::help_asked() const { return state_->help_asked; }
+
+std::string CommandLine::help() const { return state_->app.help(); }
+
+std::vector<std::string> with_two_dashes(const std::vector<std::string>& words, const CommandLine& line) {
+    const std::vector<std::string> known = line.long_names();
+    std::vector<std::string> result;
+    bool options = true;
+    for (const std::string& word : words) {
+        options = options && word != "--";
+        const std::string longer = "-" + word;
+        const bool is_long = std::find(known.begin(), known.end(), longer.substr(0, longer.find('='))) != known.end();
+        result.push_back(options && word.size() > 2 && word[0] == '-' && word[1] != '-' && is_long ? longer : word);
+    }
+    return result;
+}
+
+}  // namespace rt

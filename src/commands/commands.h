@@ -1,0 +1,22 @@
+// The program's commands. Each takes the words behind its name and returns the exit status; mistakes are exceptions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+using Words = std::vector<std::string>;
+
+/// Picks the command by the first word: one of the course's, one of ours, else a render.
+int run_program(const Words& words);
+
+int run_render(const Words& words);
+int run_requires(const Words& words);
+int run_compare(const Words& words);
+int run_help(const Words& words);
+int run_version(const Words& words);
+/// The course's dialect; `command` is its first word.
+int run_course(const std::string& command, const Words& words);
+
+}  // namespace rt

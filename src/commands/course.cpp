@@ -1,0 +1,76 @@
+// The course's dialect: positional arguments, single-dash options, no word on any stream when all is well.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "commands/commands.h"
+#include "commands/help.h"
+#include "commands/render_arguments.h"
+#include "commands/session.h"
+#include "commands/suggest.h"
+#include "commands/text.h"
+#include "core/source.h"
+#include "syntax/parser.h"
+
+namespace rt {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> later_options{"-fresnel", "-altbrdf", "-beers", "-gi"};
+/// Rays after the camera's in the course's pictures.
+constexpr int further_rays = 6;
+
+/// The course's words as ours: FILE WIDTH HEIGHT and options in any order.
+Words render_words(const Words& words) {
+    Words result{"--profile=csc473", "--output=output.png", "--quiet"};
+    Words positional;
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (name == "-sds") continue;  // a spatial data structure: there is always one
+        if (std::find(later_options.begin(), later_options.end(), name) != later_options.end() || name.starts_with("-gi_"))
+            throw OptionError(fmt::format("option '{}' is not available in this version", name));
+        const bool course = word.starts_with('-') && !word.starts_with("--");
+        if (course && name != "-ss")
+            throw OptionError(
+                fmt::format("unknown option '{}'{}", name, did_you_mean(name, {"-ss", "-fresnel", "-altbrdf", "-beers", "-gi", "-sds"})));
+        if (!word.starts_with('-') && positional.size() < 3)
+            positional.push_back(word);
+        else
+            result.push_back(word);
+    }
+    if (positional.size() != 3) throw OptionError("expected: raytrace render SCENE WIDTH HEIGHT [options]");
+    result.insert(result.end(), {"--width=" + positional[1], "--height=" + positional[2], "--input=" + positional[0]});
+    return result;
+}
+
+int course_render(const Words& words) {
+    std::string help;
+    std::optional<RenderJob> job = parse_render_arguments(render_words(words), help);
+    job->max_trace_level = 1 + further_rays;
+    return run_session(std::move(*job));
+}
+
+int sceneinfo(const Words& words) {
+    if (words.size() != 1) throw OptionError("expected: raytrace sceneinfo SCENE");
+    ParseOptions options;
+    options.rotation = Rotation::csc473;
+    options.library_paths = default_library_paths();
+    write_stdout(sceneinfo_text(parse_file(words[0], options, message_sink(true))));
+    return 0;
+}
+
+}  // namespace
+
+int run_course(const std::string& command, const Words& words) {
+    const bool help = std::any_of(words.begin(), words.end(), [](const std::string& w) { return w == "--help" || w == "-h"; });
+    if (help) {
+        write_stdout(help_topic("course"));
+        return 0;
+    }
+    if (command == "render") return course_render(words);
+    if (command == "sceneinfo") return sceneinfo(words);
+    throw OptionError(fmt::format("'{}' is not available in this version", command));
+}
+
+}  // namespace rt

@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "commands/commands.h"
+#include "commands/render_arguments.h"
+#include "commands/session.h"
+#include "commands/text.h"
+#include "core/source.h"
+
+namespace rt {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> course_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
+                                                          "pixelcolor", "printrays", "pixeltrace", "printbvh"};
+constexpr std::array<std::string_view, 6> later_commands{"grade", "versus", "trade", "brdf", "explain", "merge"};
+
+bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
+
+}  // namespace
+
+int run_program(const Words& words) {
+    const std::string first = words.empty() ? "" : words[0];
+    const Words rest(words.begin() + (words.empty() ? 0 : 1), words.end());
+    if (is_one_of(course_commands, first)) return run_course(first, rest);
+    if (first == "requires") return run_requires(rest);
+    if (first == "compare") return run_compare(rest);
+    if (first == "help") return run_help(rest);
+    if (first == "version" || first == "--version") return run_version(rest);
+    if (is_one_of(later_commands, first)) throw OptionError(fmt::format("'{}' is not available in this version", first));
+    return run_render(words);
+}
+
+int run_render(const Words& words) {
+    std::string help;
+    std::optional<RenderJob> job = parse_render_arguments(words, help);
+    if (job) return run_session(std::move(*job));
+    write_stdout(help);
+    return 0;
+}
+
+int run_version(const Words&) {
+    write_stdout(fmt::format("raytrace {}\n", program_version()));
+    return 0;
+}
+
+}  // namespace rt

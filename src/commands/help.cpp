@@ -1,0 +1,154 @@
+#include "commands/help.h"
+
+#include <utility>
+
+#include "commands/commands.h"
+#include "commands/suggest.h"
+#include "commands/text.h"
+#include "core/source.h"
+
+namespace rt {
+
+const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
+const char* const render_footer =
+    "Commands: requires compare help version; topics of help: povray scene shading\nsampling output course exit. POV-Ray's own options "
+    "work too: +W320 +A0.3 ...";
+const char* const requires_usage =
+    "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
+const char* const requires_footer = "Exit status: 0, or 1 if a scene has a mistake.";
+const char* const compare_usage = "Usage: raytrace compare [OPTION...] A B\nThe difference of two pictures; A is the reference.";
+const char* const compare_footer =
+    "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
+    "...";
+
+namespace {
+
+constexpr const char* povray_topic =
+    R"(POV-Ray's command line: switches (+W320, -D), settings (Width=320) and INI files
+(scene.ini, scene.ini[section]) may be mixed with our own options, in any order.
+
++Ifile +Ofile      scene and picture; the type's ending is appended to +O
++Wn +Hn            size                    +SCn +ECn +SRn +ERn   region, from 1
++FN[bits]          N png, P ppm, T C tga, J jpeg, B bmp, E exr, H hdr; -F none
++A[t] +AMn +Rn     anti-aliasing, as with -J (no jitter); +AGx its gamma
++Qn                quality 0..11           +UA   alpha channel
++Ldir              include folder          +MVx  language version
++WTn               threads                 +Kx   clock of a single picture
+Declare=NAME=VALUE Dither=on  File_Gamma=2.2|srgb  -GA (quiet)  +V/-V (progress)
+
+What has no meaning here (displays, pauses, bounding, buffers, Display_Gamma,
+message files) is named in one note. Animations are refused.
+)";
+
+constexpr const char* scene_topic =
+    R"(Scenes are those of POV-Ray 3.7. What is not modelled is an error that names it,
+or a warning under --lenient; 'raytrace requires SCENE' lists it.
+
+Includes are searched beside the including file, in the current folder, in the
+folders of -L (Library_Path), in $RAYTRACE_LIBRARY_PATH and in POV-Ray's own.
+
+A scene may state its own choices in comments, which POV-Ray skips:
+    //! raytrace: shading=povray precision=exact
+Keys: shading distances precision alpha. The command line wins.
+--define NAME=VALUE declares a number or a string; --clock X sets clock.
+)";
+
+constexpr const char* shading_topic =
+    R"(--shading general   specular highlights are a microfacet lobe (D GGX, G Smith,
+                    F Schlick), energy shared with the diffuse term (default)
+--shading povray    POV-Ray's own finish model, for tight comparison
+
+--alpha MAPPING     roughness to the lobe's width:
+    roughness2      alpha = roughness^2 (default)
+    povray          the width that POV-Ray's exponent 1/roughness has
+    direct          alpha = roughness
+--distances RULE    scaled: ray offsets from the error of the hit point, no limits;
+                    povray: its absolute 1e-4 and 1e7 (implied by its shading)
+--precision KIND    fast: single-precision triangles, the hit refined in double;
+                    exact: double throughout, what a test of every object finds
+--index KIND        automatic, embree or brute_force
+)";
+
+constexpr const char* sampling_topic =
+    R"(Without any of these a pixel is one ray through its centre, as in POV-Ray.
+
+-ss=N, --ss N       N x N rays in every pixel, averaged
+--aa 1[,T[,R]]      POV-Ray's method 1: neighbours that differ by more than T (0.3)
+                    get R x R more rays (R 3)
+--aa 2[,T[,R]]      POV-Ray's method 2: adaptive, R levels
++A[T] +AMn +Rn      the same, as POV-Ray writes it; rendered as with -J (no jitter)
+--crop X0,X1,Y0,Y1  only that part; the rest of the picture stays black. A part has
+                    the same bytes as in the whole picture
+)";
+
+constexpr const char* output_topic =
+    R"(-o FILE             the ending chooses the type: png exr hdr tif jpg ppm tga bmp;
+                    another ending gets .png appended
+-o DIR/             the scene's name there;  -o - is standard output
++Oname              POV-Ray's rule: the ending of the type (+F) is appended unless
+                    the name has it
+(nothing)           the scene's name in the current folder
+--bits 16           16 bits per channel (png, tiff, ppm)
+--file-gamma G      encode with 1/G instead of sRGB; 1 is linear
+--dither on, --output-alpha on
+
+A picture appears whole or not at all. Ctrl-C finishes the tiles in hand and
+leaves NAME.partial.png; a second Ctrl-C ends the program at once.
+)";
+
+constexpr const char* course_topic =
+    R"(The course's commands (right-handed, camera vectors as written, rotation z y x,
+bytes = round(255 c) without gamma):
+
+raytrace render SCENE WIDTH HEIGHT [-ss=N]     writes output.png, prints nothing
+raytrace sceneinfo SCENE                       camera, lights and objects as text
+
+In this version 'render' shades with POV-Ray's finish model under the course's
+camera, not yet with the course's own Blinn-Phong and contributions; -fresnel,
+-altbrdf, -beers and -gi are refused, -sds is what always happens. Our long
+options (--shading general, --stats ...) are accepted. raycast, pixelray,
+firsthit, pixelcolor, printrays, pixeltrace and printbvh are not available yet.
+)";
+
+constexpr const char* exit_topic =
+    R"(0  done
+1  mistake in the scene or an option
+2  interrupted; finished tiles are in NAME.partial.png
+3  the picture or the text could not be written
+4  a limit was exceeded (memory, size, depth)
+5  internal fault
+
+'raytrace compare' has idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,
+4 a picture cannot be read.
+)";
+
+constexpr std::pair<std::string_view, std::string_view> topics[] = {
+    {"povray", povray_topic}, {"scene", scene_topic},   {"shading", shading_topic}, {"sampling", sampling_topic},
+    {"output", output_topic}, {"course", course_topic}, {"exit", exit_topic},
+};
+
+}  // namespace
+
+std::vector<std::string> help_topics() {
+    std::vector<std::string> names;
+    for (const auto& [name, text] : topics) names.emplace_back(name);
+    return names;
+}
+
+std::string_view help_topic(std::string_view topic) {
+    for (const auto& [name, text] : topics)
+        if (name == topic) return text;
+    return "";
+}
+
+int run_help(const Words& words) {
+    if (words.empty() || words[0] == "render") return run_render({"--help"});
+    if (words[0] == "requires") return run_requires({"--help"});
+    if (words[0] == "compare") return run_compare({"--help"});
+    const std::string_view text = help_topic(words[0]);
+    if (text.empty()) throw OptionError("no help on '" + words[0] + "'" + did_you_mean(words[0], help_topics()));
+    write_stdout(text);
+    return 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,22 @@
+// Texts that are only help. Each fits a screen of 24 lines and 80 columns.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+extern const char* const render_usage;
+extern const char* const render_footer;
+extern const char* const requires_usage;
+extern const char* const requires_footer;
+extern const char* const compare_usage;
+extern const char* const compare_footer;
+
+/// What `raytrace help TOPIC` can be asked for.
+std::vector<std::string> help_topics();
+/// The text of one topic, or "" if there is no such topic.
+std::string_view help_topic(std::string_view topic);
+
+}  // namespace rt

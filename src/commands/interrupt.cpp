@@ -1,0 +1,44 @@
+#include "commands/interrupt.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+namespace rt {
+
+namespace {
+
+std::atomic<bool> stop_asked{false};
+std::atomic<bool> render_listens{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+void on_signal(int) {
+    if (render_listens.load() && !stop_asked.exchange(true)) return;
+    constexpr char text[] = "\nraytrace: interrupted\n";
+    const auto written = write(STDERR_FILENO, text, sizeof text - 1);
+    static_cast<void>(written);
+    _exit(exit_interrupted);
+}
+
+}  // namespace
+
+StopOnSignal::StopOnSignal() {
+    stop_asked = false;
+    render_listens = true;
+}
+
+StopOnSignal::~StopOnSignal() { render_listens = false; }
+
+const std::atomic<bool>& StopOnSignal::stop() const { return stop_asked; }
+
+void install_signal_handlers() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+}  // namespace rt

@@ -1,0 +1,62 @@
+#include "commands/output_name.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "commands/values.h"
+#include "core/source.h"
+
+namespace rt {
+
+namespace {
+
+/// Does `name` end in an extension of `format`, exactly?
+bool has_extension(const std::string& name, ImageFormat format) {
+    const std::string found = std::filesystem::path(name).extension().string();
+    if (found == fmt::format(".{}", extension(format))) return true;
+    return (format == ImageFormat::jpeg && found == ".jpeg") || (format == ImageFormat::tiff && found == ".tiff") ||
+           (format == ImageFormat::tiff && found == ".tif");
+}
+
+}  // namespace
+
+OutputTarget output_target(const OutputRequest& request, const std::string& scene) {
+    OutputTarget target;
+    if (!request.to_file) return target;
+    const std::string stem = std::filesystem::path(scene).stem().string();
+    target.path = request.name.empty() || request.name.ends_with('/') ? request.name + stem : request.name;
+    const bool named = !request.name.empty() && !request.name.ends_with('/');
+    ImageFormat by_name = ImageFormat::png;
+    if (request.format)
+        target.format = *request.format;
+    else if (named && !request.povray_rules && format_of(target.path, by_name))
+        target.format = by_name;
+    if (target.path == "-") return target;
+    const bool complete = named && (has_extension(target.path, target.format) ||
+                                    (!request.povray_rules && format_of(target.path, by_name) && by_name == target.format));
+    if (!complete) target.path += fmt::format(".{}", extension(target.format));
+    return target;
+}
+
+std::string partial_name(const std::string& path) {
+    std::filesystem::path name(path);
+    const std::string ending = name.extension().string();
+    return name.replace_extension().string() + ".partial" + ending;
+}
+
+ImageFormat povray_file_type(const std::string& text, int& bits) {
+    static constexpr std::pair<char, ImageFormat> types[] = {
+        {'n', ImageFormat::png},  {'t', ImageFormat::tga}, {'c', ImageFormat::tga}, {'p', ImageFormat::ppm},
+        {'j', ImageFormat::jpeg}, {'b', ImageFormat::bmp}, {'e', ImageFormat::exr}, {'h', ImageFormat::hdr},
+    };
+    const std::string type = lower_case(text);
+    if (type.size() > 1) bits = whole_number("bits per colour", type.substr(1), 1, 16);
+    for (const auto& [letter, format] : types)
+        if (!type.empty() && type[0] == letter) return format;
+    throw OptionError(fmt::format(
+        "'{}' is no output file type; expected one of N (png), P (ppm), T or C (tga), J (jpeg), E (exr), H (hdr), B (bmp)", text));
+}
+
+}  // namespace rt

@@ -1,0 +1,236 @@
+#include "commands/render_arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "commands/command_line.h"
+#include "commands/help.h"
+#include "commands/names.h"
+#include "commands/povray_syntax.h"
+#include "commands/values.h"
+
+namespace rt {
+
+namespace {
+
+constexpr int largest_side = 1'000'000;
+constexpr double unbounded = HUGE_VAL;
+
+/// What the options say before they are put together.
+struct Draft {
+    RenderJob job;
+    RegionEdges edges;
+    std::string input;
+    std::optional<Region> crop;
+    std::optional<int> grid;
+    bool antialias = false;
+    std::optional<bool> jitter;
+    std::optional<double> jitter_amount;
+    std::optional<int> initial_frame, final_frame;
+    bool subset_frames = false;
+};
+
+void define_picture(CommandLine& line, Draft& d) {
+    RenderJob& job = d.job;
+    line.value("-o,--output,--outfile", "FILE", "picture; the ending chooses the type; - is stdout", [&](const std::string& v) {
+        job.output.name = v;
+        job.output.povray_rules = false;
+    });
+    line.value("--povray-output", "FILE", "", [&](const std::string& v) {
+        job.output.name = v;
+        job.output.povray_rules = true;
+    });
+    line.value("--input", "FILE", "", [&](const std::string& v) { d.input = v; });
+    line.value("--format", "TYPE", "png, exr, hdr, tiff, jpeg, ppm, tga or bmp",
+               [&](const std::string& v) { job.output.format = value_of_name(format_names, "picture format", v); });
+    line.value("--povray-type", "TYPE", "", [&](const std::string& v) { job.output.format = povray_file_type(v, job.bits); });
+    line.value("--bits", "N", "8 (default) or 16 per channel",
+               [&](const std::string& v) { job.bits = whole_number("bits per colour", v, 1, 16); });
+    line.value("--output-to-file", "ON", "", [&](const std::string& v) { job.output.to_file = on_or_off("Output_to_File", v); });
+    line.value("--output-alpha", "ON", "", [&](const std::string& v) { job.output_alpha = on_or_off("Output_Alpha", v); });
+    line.value("-W,--width", "N", "columns (800)", [&](const std::string& v) { job.width = whole_number("width", v, 1, largest_side); });
+    line.value("-H,--height", "N", "rows (600)", [&](const std::string& v) { job.height = whole_number("height", v, 1, largest_side); });
+    line.value("--size", "WxH", "", [&](const std::string& v) {
+        const std::vector<std::string> sides = split(lower_case(v), 'x');
+        if (sides.size() != 2) throw OptionError(fmt::format("size: expected WIDTHxHEIGHT, not '{}'", v));
+        job.width = whole_number("width", sides[0], 1, largest_side);
+        job.height = whole_number("height", sides[1], 1, largest_side);
+    });
+    line.value("--crop", "X0,X1,Y0,Y1", "only columns X0 to X1-1, rows Y0 to Y1-1; from 0", [&](const std::string& v) {
+        const std::vector<std::string> ends = split(v, ',');
+        if (ends.size() != 4) throw OptionError(fmt::format("crop: expected X0,X1,Y0,Y1, not '{}'", v));
+        const auto edge = [&](int i) { return whole_number("crop", ends[static_cast<std::size_t>(i)], 0, largest_side); };
+        d.crop = Region{edge(0), edge(2), edge(1), edge(3)};
+    });
+    const auto edge = [&line](const char* name, std::optional<double>& place) {
+        line.value(name, "N", "", [name, &place](const std::string& v) { place = real_number(name + 2, v, 0.0, largest_side); });
+    };
+    edge("--start-column", d.edges.start_column);
+    edge("--end-column", d.edges.end_column);
+    edge("--start-row", d.edges.start_row);
+    edge("--end-row", d.edges.end_row);
+    line.value("--file-gamma", "G", "G or srgb (default)", [&](const std::string& v) {
+        const bool srgb = lower_case(v) == "srgb";
+        job.file_gamma = srgb ? Curve{Curve::Kind::srgb, 1.0} : Curve{Curve::Kind::power, real_number("file gamma", v, 1e-3, 1e3)};
+    });
+    line.value("--dither", "ON", "", [&](const std::string& v) { job.dither = on_or_off("dither", v); });
+}
+
+void define_sampling(CommandLine& line, Draft& d) {
+    Sampling& sampling = d.job.sampling;
+    line.value("--ss", "N", "N x N samples in every pixel", [&](const std::string& v) { d.grid = whole_number("ss", v, 1, 64); });
+    const auto method = [&d, &sampling](const std::string& v) {
+        sampling.method = whole_number("anti-aliasing method", v, 1, 2) == 1 ? Sampling::Method::povray1 : Sampling::Method::povray2;
+    };
+    const auto threshold = [&sampling](const std::string& v) {
+        sampling.threshold = std::clamp(real_number("anti-aliasing threshold", v, 0.0, unbounded), 0.0, 1.0);
+    };
+    const auto depth = [&sampling](const std::string& v) {
+        sampling.depth = std::min(9, whole_number("anti-aliasing depth", v, 1, largest_side));
+    };
+    line.value("--aa", "M[,T[,R]]", "POV-Ray's method 1 or 2, threshold T, depth R", [=, &d](const std::string& v) {
+        const std::vector<std::string> parts = split(v, ',');
+        if (parts.size() > 3) throw OptionError(fmt::format("aa: expected METHOD,THRESHOLD,DEPTH, not '{}'", v));
+        method(parts[0]);
+        if (parts.size() > 1) threshold(parts[1]);
+        if (parts.size() > 2) depth(parts[2]);
+        d.antialias = true;
+        if (!d.jitter) d.jitter = false;
+    });
+    line.value("--antialias", "ON", "", [&](const std::string& v) { d.antialias = on_or_off("Antialias", v); });
+    line.value("--aa-method", "M", "", method);
+    line.value("--aa-threshold", "T", "", threshold);
+    line.value("--aa-depth", "R", "", depth);
+    line.value("--aa-gamma", "G", "", [&](const std::string& v) { sampling.gamma = real_number("anti-aliasing gamma", v, 1e-3, 1e3); });
+    line.value("--aa-block", "N", "",
+               [&](const std::string& v) { sampling.block = std::max(4, whole_number("block size", v, 0, largest_side)); });
+    line.value("--jitter", "ON", "", [&](const std::string& v) { d.jitter = on_or_off("Jitter", v); });
+    line.value("--jitter-amount", "X", "",
+               [&](const std::string& v) { d.jitter_amount = real_number("jitter amount", v, 0.0, unbounded); });
+    line.value("--povray-quality", "N", "",
+               [&](const std::string& v) { d.job.povray_quality = std::min(11, whole_number("quality", v, 0, largest_side)); });
+}
+
+void define_shading(CommandLine& line, RenderJob& job) {
+    line.value("--shading", "NAME", "general (default) or povray",
+               [&](const std::string& v) { job.shading = value_of_name(shading_names, "shading", v); });
+    line.value("--distances", "NAME", "scaled (default) or povray",
+               [&](const std::string& v) { job.distances = value_of_name(distances_names, "rule of distances", v); });
+    line.value("--precision", "NAME", "fast or exact triangles",
+               [&](const std::string& v) { job.precision = value_of_name(precision_names, "precision", v); });
+    line.value("--alpha", "NAME", "roughness2 (default), povray or direct",
+               [&](const std::string& v) { job.alpha = value_of_name(alpha_names, "alpha mapping", v); });
+    line.value("--index", "NAME", "", [&](const std::string& v) { job.index = value_of_name(index_names, "index", v); });
+    line.value("--profile", "NAME", "povray (default) or csc473, the course's camera",
+               [&](const std::string& v) { job.profile = value_of_name(profile_names, "profile", v); });
+}
+
+void define_scene(CommandLine& line, Draft& d) {
+    RenderJob& job = d.job;
+    line.values("-L,--library", "DIR", "search includes there too", [&](const std::string& v) { job.parse.library_paths.push_back(v); });
+    line.values("--define", "NAME=VALUE", "declare a number or a string for the scene", [&](const std::string& v) {
+        const std::size_t equals = v.find('=');
+        if (equals == 0 || equals == std::string::npos) throw OptionError(fmt::format("define: expected NAME=VALUE, not '{}'", v));
+        job.parse.declares.emplace_back(v.substr(0, equals), std::string(unquoted(std::string_view(v).substr(equals + 1))));
+    });
+    line.value("--language", "V", "", [&](const std::string& v) { job.parse.version = real_number("language version", v, 0.0, 99.0); });
+    line.value("--clock", "X", "", [&](const std::string& v) { job.parse.clock = real_number("clock", v, -unbounded, unbounded); });
+    for (const char* name : {"--initial-clock", "--final-clock"})  // only frames of an animation use them
+        line.value(name, "X", "", [name](const std::string& v) { real_number(name + 2, v, -unbounded, unbounded); });
+    line.value("--initial-frame", "N", "", [&](const std::string& v) { d.initial_frame = whole_number("first frame", v, 0, 1 << 30); });
+    line.value("--final-frame", "N", "", [&](const std::string& v) { d.final_frame = whole_number("last frame", v, 0, 1 << 30); });
+    line.value("--subset-frame", "N", "", [&](const std::string&) { d.subset_frames = true; });
+    line.flag("--lenient", "what is not modelled is a warning, not an error", [&] { job.parse.lenient = true; });
+}
+
+void define_run(CommandLine& line, RenderJob& job) {
+    line.value("-t,--threads", "N", "worker threads; 0 is one per core",
+               [&](const std::string& v) { job.threads = whole_number("threads", v, 0, 4096); });
+    line.flag("-q,--quiet", "no warnings, notes or progress", [&] { job.quiet = true; });
+    line.flag("--stats", "times, counts and rates on stderr", [&] { job.stats = true; });
+    line.value("--progress", "ON", "", [&](const std::string& v) { job.progress = on_or_off("Verbose", v); });
+    line.value("--all-console", "ON", "", [&](const std::string& v) { job.quiet = !on_or_off("All_Console", v); });
+    line.value("--seed", "N", "", [&](const std::string& v) {
+        real_number("seed", v, 0.0, unbounded);
+        job.notes.emplace_back("--seed is reserved: nothing in this version is random");
+    });
+}
+
+void choose_scene(Draft& d, const std::vector<std::string>& others) {
+    std::vector<std::string> scenes = others;
+    if (!d.input.empty()) scenes.push_back(d.input);
+    if (scenes.empty()) throw OptionError("no scene given; see raytrace --help");
+    if (scenes.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' or '{}'?", scenes[0], scenes[1]));
+    d.job.scene = scenes[0];
+    std::error_code ignored;
+    const bool bare = std::filesystem::path(d.job.scene).extension().empty();
+    if (bare && !std::filesystem::exists(d.job.scene, ignored)) d.job.scene += ".pov";
+}
+
+void choose_sampling(Draft& d) {
+    Sampling& sampling = d.job.sampling;
+    const Sampling::Method method = sampling.method == Sampling::Method::none ? Sampling::Method::povray1 : sampling.method;
+    sampling.method = d.antialias ? method : Sampling::Method::none;
+    if (d.grid) {
+        if (d.antialias) throw OptionError("-ss and anti-aliasing (+A, --aa) both choose the samples of a pixel; give one of them");
+        sampling.method = *d.grid > 1 ? Sampling::Method::grid : Sampling::Method::none;
+        sampling.depth = *d.grid;
+    }
+    if (!d.antialias) return;
+    if (!d.jitter && !d.jitter_amount)
+        d.job.notes.emplace_back("anti-aliasing is rendered without jitter, as with -J");
+    else if (d.jitter.value_or(true) && d.jitter_amount.value_or(1.0) > 0.0)
+        d.job.notes.emplace_back("jitter is not available in this version: anti-aliasing is rendered as with -J");
+}
+
+void refuse_animation(const Draft& d) {
+    const bool frames = d.final_frame.value_or(1) != 1 || d.initial_frame.value_or(1) != 1 || d.subset_frames;
+    if (frames) throw OptionError("animation (frames) is not available in this version; render single pictures with Clock=VALUE (+KVALUE)");
+}
+
+void choose_region(Draft& d) {
+    d.job.region = resolve_region(d.edges, d.job.width, d.job.height);
+    if (!d.crop) return;
+    if (d.job.region) throw OptionError("--crop and +SC +EC +SR +ER both choose the region; give one of them");
+    const Region& r = *d.crop;
+    if (r.x0 >= r.x1 || r.y0 >= r.y1 || r.x1 > d.job.width || r.y1 > d.job.height)
+        throw OptionError(fmt::format("crop: columns {} to {} and rows {} to {} are no part of a {} x {} picture", r.x0, r.x1, r.y0, r.y1,
+                                      d.job.width, d.job.height));
+    d.job.region = r;
+}
+
+}  // namespace
+
+std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& words, std::string& help) {
+    Draft draft;
+    CommandLine line(render_usage, render_footer);
+    define_picture(line, draft);
+    define_sampling(line, draft);
+    define_shading(line, draft.job);
+    define_scene(line, draft);
+    define_run(line, draft.job);
+
+    const Translation translation = translate_povray_syntax(words, [&](const std::string& word) { return line.takes_value(word); });
+    const std::vector<std::string> others = line.parse(translation.words);
+    if (line.help_asked()) {
+        help = line.help();
+        return std::nullopt;
+    }
+    choose_scene(draft, others);
+    refuse_animation(draft);
+    choose_sampling(draft);
+    choose_region(draft);
+    RenderJob& job = draft.job;
+    job.bits = job.bits > 8 ? 16 : 8;
+    job.parse.image_width = job.width;
+    job.parse.image_height = job.height;
+    if (job.profile == Profile::csc473) job.parse.rotation = Rotation::csc473;
+    if (!translation.ignored.empty())
+        job.notes.push_back(fmt::format("ignored, without a meaning here: {}", fmt::join(translation.ignored, " ")));
+    return job;
+}
+
+}  // namespace rt

@@ -1,0 +1,125 @@
+#include "commands/requirements.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <unordered_set>
+
+#include "commands/stats.h"
+
+namespace rt {
+
+namespace {
+
+std::string light_kind(const Light& light) {
+    std::string kind = "point";
+    if (light.type == Light::Type::spotlight) kind = "spotlight";
+    if (light.type == Light::Type::cylinder) kind = "cylinder";
+    if (light.area) kind = kind == "point" ? "area" : "area " + kind;
+    if (light.parallel) kind = "parallel " + kind;
+    return light.shadowless ? "shadowless " + kind : kind;
+}
+
+/// Walks textures once each and collects the names of what they use.
+class FeatureCollector {
+public:
+    explicit FeatureCollector(std::set<std::string>& features) : features_(features) {}
+
+    void object(const Object& object) {
+        if (object.texture) layers(*object.texture);
+        if (object.interior_texture) {
+            features_.insert("interior texture");
+            layers(*object.interior_texture);
+        }
+        if (object.interior) interior(**object.interior);
+        if (object.transform) features_.insert("object transforms");
+        if (object.no_shadow) features_.insert("no_shadow");
+        if (object.no_image) features_.insert("no_image");
+        if (object.no_reflection) features_.insert("no_reflection");
+        if (object.double_illuminate) features_.insert("double_illuminate");
+        if (object.inverse) features_.insert("inverse");
+    }
+
+private:
+    std::set<std::string>& features_;
+    std::unordered_set<const void*> seen_;
+
+    void layers(const TextureLayers& layers) {
+        if (seen_.insert(layers.identity()).second) layer_list(*layers);
+    }
+
+    void layer_list(const std::vector<Texture>& layers) {
+        if (layers.size() > 1) features_.insert("layers");
+        for (const Texture& texture : layers) {
+            if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
+                pigment(plain->pigment);
+                finish(plain->finish);
+                continue;
+            }
+            features_.insert("checker");
+            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(texture.content).cells) layer_list(cell);
+        }
+    }
+
+    void pigment(const Pigment& pigment) {
+        if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) {
+            if (color->filter != 0.0 || color->transmit != 0.0) features_.insert("transparency");
+            return;
+        }
+        features_.insert("checker");
+        for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) this->pigment(cell);
+    }
+
+    void finish(const Finish& finish) {
+        const Reflection& reflection = finish.reflection;
+        if (reflection.min != Rgb(0.0) || reflection.max != Rgb(0.0)) features_.insert("reflection");
+        if (reflection.fresnel) features_.insert("fresnel reflection");
+        if (finish.specular != 0.0) features_.insert("specular highlights");
+        if (finish.phong != 0.0) features_.insert("phong highlights");
+        if (finish.emission != Rgb(0.0)) features_.insert("emission");
+        if (finish.ior && *finish.ior != 1.0) features_.insert("refraction");
+        if (finish.conserve_energy) features_.insert("conserve_energy");
+    }
+
+    void interior(const Interior& interior) {
+        if (interior.ior && *interior.ior != 1.0) features_.insert("refraction");
+        if (interior.fade_power > 0.0 || interior.fade_distance > 0.0) features_.insert("distance fading");
+        if (interior.caustics != 0.0) features_.insert("caustics");
+    }
+};
+
+}  // namespace
+
+Requirements requirements_of(const Scene& scene) {
+    Requirements needs;
+    std::set<std::string> features;
+    FeatureCollector collector(features);
+    needs.objects = scene.objects.size();
+    needs.triangles = count_triangles(scene);
+    for (const Object& object : scene.objects) {
+        ++needs.shapes[name(object.shape)];
+        collector.object(object);
+    }
+    for (const Light& light : scene.lights) {
+        ++needs.lights[light_kind(light)];
+        if (light.area) features.insert("area lights");
+        if (light.fade_power > 0.0 && light.fade_distance > 0.0) features.insert("light fading");
+    }
+    needs.features.assign(features.begin(), features.end());
+    needs.camera = scene.camera.type == Camera::Type::orthographic ? "orthographic" : "perspective";
+    needs.gamma = gamma_text(scene.settings.gamma);
+    needs.language_version = scene.language_version;
+    for (std::uint32_t i = 1; i < scene.sources.size(); ++i) needs.includes.push_back(scene.sources.file(i).name);
+    for (const Unmodelled& unmodelled : scene.unmodelled) {
+        const Span& span = unmodelled.span;
+        MissingFeature missing{unmodelled.feature, "", 0, 0};
+        if (span.file < scene.sources.size()) {
+            const LineColumn place = scene.sources.locate(span.file, span.begin);
+            missing = {unmodelled.feature, scene.sources.file(span.file).name, place.line, place.column};
+        }
+        needs.missing.push_back(std::move(missing));
+    }
+    return needs;
+}
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+// Words of the command line to numbers and switches, each refusal in full words.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+/// A whole number in [least, most]; like POV-Ray a fraction is cut off. Throws OptionError naming `what`.
+int whole_number(std::string_view what, std::string_view text, int least, int most);
+/// A finite number in [least, most].
+double real_number(std::string_view what, std::string_view text, double least, double most);
+/// on, true, yes, 1, y, t or off, false, no, 0, n, f; case ignored. An empty text means on.
+bool on_or_off(std::string_view what, std::string_view text);
+std::vector<std::string> split(std::string_view text, char separator);
+std::string lower_case(std::string_view text);
+/// Without blanks around it and without one pair of quotes around that.
+std::string_view unquoted(std::string_view text);
+
+}  // namespace rt
