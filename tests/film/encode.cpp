@@ -130,31 +130,93 @@ TEST(Quantise, FilmRowsFromTheTop) {
     EXPECT_EQ(quantise(film, encoding(linear, linear)), expected);
 }
 
-std::vector<std::uint16_t> with_alpha(Pixel p, Encoding e) {
+using Numbers = std::vector<std::uint16_t>;
+
+Numbers stored(Pixel p, Encoding e) {
     Film film(1, 1);
     film.at(0, 0) = p;
     e.alpha = true;
     return quantise(film, e);
 }
 
-TEST(Alpha, ColourIsDividedByCoverageInLinearLight) {
-    using Numbers = std::vector<std::uint16_t>;
-    EXPECT_EQ(with_alpha({0.0f, 0.0f, 0.0f, 1.0f}, encoding(linear, srgb)), (Numbers{0, 0, 0, 0}));
-    EXPECT_EQ(with_alpha({0.1f, 0.2f, 0.05f, 0.5f}, encoding(linear, linear)), (Numbers{51, 102, 26, 128}));
-    EXPECT_EQ(with_alpha({0.1f, 0.2f, 0.05f, 0.75f}, encoding(linear, srgb)),
-              (Numbers{static_cast<std::uint16_t>(rounded(srgb_of(0.4L))), static_cast<std::uint16_t>(rounded(srgb_of(0.8L))),
-                       static_cast<std::uint16_t>(rounded(srgb_of(0.2L))), 64}));
-    EXPECT_EQ(with_alpha({0.2f, 0.3f, 0.5f, 0.0f}, encoding(linear, linear)), (Numbers{51, 77, 128, 255}));
+std::uint16_t byte_of(long double e) { return static_cast<std::uint16_t>(rounded(e)); }
+
+TEST(Alpha, ColourIsDividedByCoverage) {
+    EXPECT_EQ(stored({0.0f, 0.0f, 0.0f, 1.0f}, encoding(linear, srgb)), (Numbers{0, 0, 0, 0}));
+    EXPECT_EQ(stored({0.1f, 0.2f, 0.05f, 0.5f}, encoding(linear, linear)), (Numbers{51, 102, 26, 128}));
+    EXPECT_EQ(stored({0.1f, 0.2f, 0.05f, 0.75f}, encoding(linear, srgb)),
+              (Numbers{byte_of(srgb_of(0.4L)), byte_of(srgb_of(0.8L)), byte_of(srgb_of(0.2L)), 64}));
+    EXPECT_EQ(stored({0.2f, 0.3f, 0.5f, 0.0f}, encoding(linear, linear)), (Numbers{51, 77, 128, 255}));
+}
+
+TEST(Alpha, DivisionIsInTheWorkingSpace) {
+    EXPECT_EQ(stored({0.1f, 0.2f, 0.05f, 0.75f}, encoding(power(2.2), linear)),
+              (Numbers{byte_of(std::pow(0.4L, 2.2L)), byte_of(std::pow(0.8L, 2.2L)), byte_of(std::pow(0.2L, 2.2L)), 64}));
 }
 
 TEST(Alpha, BrightPixelsRaiseIt) {
-    // Grey value of the premultiplied colour 2.468, 0.4114, 0.01645 is 0.9772: more than the coverage 0.8227.
+    // The grey value of the colour, 0.9772, is more than the coverage, 0.8227.
     const Pixel p{2.468144f, 0.4113573f, 0.0164543f, 0.1772853f};
-    const long double grey = 0.297L * 2.468144L + 0.589L * 0.4113573L + 0.114L * 0.0164543L;
-    const auto numbers = with_alpha(p, encoding(linear, linear, 16));
+    const double grey = 0.297 * 2.468144 + 0.589 * 0.4113573 + 0.114 * 0.0164543;
+    const Numbers numbers = stored(p, encoding(linear, linear, 16));
     EXPECT_EQ(numbers[3], rounded(grey, 65535));
     EXPECT_EQ(numbers[0], 65535);
-    EXPECT_NEAR(numbers[1], 65535 * 0.4113573 / static_cast<double>(grey), 1.0);
+    EXPECT_NEAR(numbers[1], 65535 * 0.4113573 / grey, 1.0);
+    EXPECT_EQ(stored({5.0f, 5.0f, 5.0f, 1.0f}, encoding(linear, linear)), (Numbers{255, 255, 255, 255}));
+    EXPECT_EQ(stored({NAN, 0.0f, 0.0f, 1.0f}, encoding(linear, linear)), (Numbers{0, 0, 0, 0}));
+}
+
+/// Error diffusion written out once more, with whole-picture arrays: a row's errors go to cell (x, y), and the first cell of each row reads
+/// that of the row before it.
+std::vector<int> diffused(const std::vector<double>& values, int width, int height) {
+    std::vector<double> errors(values.size() + width + 2, 0.0);
+    std::vector<int> bytes;
+    const auto at = [&](int x, int y) -> double& { return errors[static_cast<std::size_t>(y) * width + x]; };
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double carried = x > 0 ? at(x, y) : y > 0 ? at(0, y - 1) : 0.0;
+            const double wanted = values[static_cast<std::size_t>(y) * width + x] + carried;
+            bytes.push_back(rounded(wanted));
+            const double error = std::fmin(std::fmax(wanted, 0.0), 1.0) - bytes.back() / 255.0;
+            if (x + 1 < width) at(x + 1, y) += error * 7 / 16;
+            if (y + 1 == height) continue;
+            if (x > 0) at(x - 1, y + 1) += error * 3 / 16;
+            at(x, y + 1) += error * 5 / 16;
+            if (x + 1 < width) at(x + 1, y + 1) += error / 16;
+        }
+    }
+    return bytes;
+}
+
+TEST(Dither, SpreadsErrorsAsPovray) {
+    const int width = 23, height = 17;
+    Film film(width, height);
+    std::vector<double> red;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            film.at(x, y).r = static_cast<float>(-0.05 + 1.15 * (x + 0.3 * y) / 28.0);
+            red.push_back(film.at(x, y).r);
+        }
+    }
+    Encoding e = encoding(linear, linear);
+    e.dither = true;
+    const Numbers numbers = quantise(film, e);
+    const std::vector<int> expected = diffused(red, width, height);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        ASSERT_EQ(numbers[3 * i], expected[i]) << i;
+        ASSERT_EQ(numbers[3 * i + 1], 0);
+    }
+}
+
+TEST(Dither, KeepsTheMeanOfFlatAreas) {
+    Film film(64, 64);
+    for (Pixel& p : film.pixels) p = {100.3f / 255.0f, 0.0f, 0.0f, 0.3f / 255.0f};
+    Encoding e = encoding(linear, linear);
+    e.dither = e.alpha = true;
+    const Numbers numbers = quantise(film, e);
+    double alpha = 0.0;
+    for (std::size_t i = 3; i < numbers.size(); i += 4) alpha += numbers[i];
+    EXPECT_NEAR(alpha / 4096.0, 254.7, 0.02);
 }
 
 }  // namespace
