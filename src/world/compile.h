@@ -21,7 +21,8 @@ struct CompileOptions {
     Precision precision = Precision::exact;
     IndexKind index = IndexKind::automatic;
     AlphaMapping alpha = AlphaMapping::roughness2;
-    int threads = 0;  ///< for building the index; 0: all cores
+    int threads = 0;              ///< for building the index; 0: all cores
+    bool general_shading = true;  ///< warn of what only the general form's shading cannot take as it is
 };
 
 /// Throws SceneError for what a scene can state but no world can hold (look_at = location under the course profile, ...).

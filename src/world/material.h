@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -31,6 +32,7 @@ struct PigmentNode {
     bool checker = false;
     Transform to_pattern;  ///< surrounding space to pattern space (forward direction)
     std::uint32_t child[2] = {0, 0};
+    std::optional<PigmentColor> quick;  ///< stands for the whole tree below where quick colours are asked for
 };
 
 /// A texture tree like the colour tree; a leaf is one plain layer, a checker chooses between two lists of layers.
@@ -49,8 +51,8 @@ struct Material {
     bool can_reflect = false;
 };
 
-/// Appends the layers that `layers` has at point `p` (world space), top first.
-void sample_layers(const std::vector<LayerNode>& layers, const Vec3& p, std::vector<LayerSample>& out);
+/// Appends the layers that `layers` has at point `p` (world space), top first; with `quick` in their quick colours, where stated.
+void sample_layers(const std::vector<LayerNode>& layers, const Vec3& p, std::vector<LayerSample>& out, bool quick = false);
 
 /// Interior of an object with POV-Ray's legacy finish keywords already merged in.
 struct CompiledInterior {

@@ -39,12 +39,12 @@ struct CameraBasis {
 
 /// What the scene requires of the tracer; computed once, and nothing after it pays for what is false.
 struct Features {
-    bool transmits = false;    ///< some material can transmit
-    bool refracts = false;     ///< ... and some interior of such an object has an ior other than 1
+    bool transmits = false;  ///< some material can transmit
+    bool refracts = false;   ///< ... and some interior of such an object has an ior other than 1
     bool reflects = false;
-    bool fades = false;        ///< some interior has fade_power > 0 or a fade_distance
+    bool fades = false;  ///< some interior has fade_power > 0 or a fade_distance
     bool patterns = false;
-    bool layers = false;       ///< some material has several layers
+    bool layers = false;  ///< some material has several layers
     bool area_lights = false;
     bool visibility_flags = false;  ///< some object is no_image or no_reflection
     bool general_specular = false;  ///< some finish has specular above 0
@@ -66,6 +66,9 @@ public:
     bool occluded(const Ray& ray, const Interval& range) const;
     /// Unit normal as the shape states it (negated by `inverse`), not turned to the viewer; interpolated for smooth triangles.
     Vec3 normal(const Hit& hit, const Vec3& point) const;
+    /// Whether a ray of this direction meets the surface from its inner side, which shows the interior texture. For most shapes that is
+    /// the sign of direction . normal; in a mesh the flat side of the face decides, whatever its interpolated normal.
+    bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;
 
     CameraBasis camera;
     std::vector<Light> lights;

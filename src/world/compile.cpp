@@ -1,0 +1,135 @@
+#include "world/compile.h"
+
+#include "world/material_table.h"
+#include "world/surface_index.h"
+
+namespace rt {
+
+namespace {
+
+bool is_black(const Rgb& c) { return std::fabs(c.r) < 1e-10 && std::fabs(c.g) < 1e-10 && std::fabs(c.b) < 1e-10; }
+
+std::vector<Light> compile_lights(const std::vector<Light>& stated) {
+    std::vector<Light> lights;
+    for (const Light& light : stated)
+        if (!is_black(light.color)) lights.push_back(light);
+    return lights;
+}
+
+std::uint8_t seen_bits(const Object& object, bool transmits) {
+    std::uint8_t bits = 0;
+    if (!object.no_image) bits |= seen_by::image;
+    if (!object.no_reflection) bits |= seen_by::reflected;
+    if (!object.no_shadow) bits |= seen_by::shadow;
+    if (!object.no_shadow && !transmits) bits |= seen_by::blocker;
+    return bits;
+}
+
+/// One list of interiors for all objects. What no ray can be inside of shares element 0; every other object has its own, since a ray's
+/// list of interiors tells objects apart by it.
+std::uint32_t add_interior(const Object& object, const Material& material, std::vector<CompiledInterior>& interiors) {
+    if (!object.interior && !material.can_transmit && !stated_ior(object)) return 0;
+    interiors.push_back(compile_interior(object));
+    return static_cast<std::uint32_t>(interiors.size() - 1);
+}
+
+void require(const Material& material, const CompiledInterior& interior, Features& features) {
+    features.transmits |= material.can_transmit;
+    features.refracts |= material.can_transmit && interior.ior != 1.0;
+    features.reflects |= material.can_reflect;
+    features.fades |= interior.fade_power > 0.0 || interior.fade_distance != 0.0;
+}
+
+void require(const std::vector<LayerNode>& layers, Features& features) {
+    features.layers |= layers.size() > 1;
+    for (const LayerNode& layer : layers) {
+        features.patterns |= layer.checker || layer.pigment.size() > 1;
+        features.general_specular |= !layer.checker && layer.finish.s > 0.0;
+        require(layer.cell[0], features);
+        require(layer.cell[1], features);
+    }
+}
+
+/// The arrays are made once at their size: a mesh of millions of faces has no room to be copied.
+void reserve(const Scene& scene, Surfaces& surfaces) {
+    std::size_t vertices = 0, faces = 0;
+    for (const Object& object : scene.objects) {
+        if (const auto* mesh = std::get_if<Mesh>(&object.shape)) {
+            vertices += mesh->data->vertices.size();
+            faces += mesh->data->faces.size();
+        } else if (std::holds_alternative<Triangle>(object.shape) || std::holds_alternative<SmoothTriangle>(object.shape)) {
+            vertices += 3;
+            faces += 1;
+        }
+    }
+    surfaces.vertices.reserve(vertices);
+    surfaces.faces.reserve(faces);
+    surfaces.face_object.reserve(faces);
+    surfaces.objects.reserve(scene.objects.size());
+}
+
+void find_camera_interiors(const Surfaces& surfaces, World& world) {
+    for (std::uint32_t object = 0; object < world.objects.size(); ++object) {
+        const std::uint32_t interior = world.objects[object].interior;
+        if (interior != 0 && surfaces.contains(object, world.camera.origin)) world.camera_interiors.push_back(interior);
+    }
+}
+
+double extent(const Surfaces& surfaces) {
+    double largest = 0.0;
+    for (std::uint32_t object = 0; object < surfaces.objects.size(); ++object) {
+        const Bounds box = surfaces.bounds(object);
+        if (box.is_finite() && surfaces.objects[object].count > 0)
+            largest = std::fmax(largest, std::fmax(max_component(-box.min), max_component(box.max)));
+    }
+    return largest;
+}
+
+Surfaces compile_objects(const Scene& scene, const CompileOptions& options, const MessageSink& warn, World& world) {
+    Surfaces surfaces;
+    reserve(scene, surfaces);
+    MaterialTable materials(scene, options, warn);
+    world.interiors.emplace_back();
+    world.objects.reserve(scene.objects.size());
+    for (const Object& object : scene.objects) {
+        const std::uint32_t material = materials.add(object);
+        const std::uint32_t interior = add_interior(object, materials[material], world.interiors);
+        require(materials[material], world.interiors[interior], world.features);
+        world.features.visibility_flags |= object.no_image || object.no_reflection;
+        surfaces.add(object, seen_bits(object, materials[material].can_transmit));
+        world.objects.push_back(
+            {material, interior, object.no_shadow, object.no_image, object.no_reflection, object.double_illuminate, object.span});
+    }
+    world.materials = materials.take();
+    for (const Material& material : world.materials) {
+        require(material.layers, world.features);
+        require(material.interior_layers, world.features);
+    }
+    return surfaces;
+}
+
+}  // namespace
+
+World compile(const Scene& scene, const CompileOptions& options, const MessageSink& warn) {
+    World world;
+    world.camera = camera_basis(scene.camera, options.profile, scene.sources, warn);
+    world.lights = compile_lights(scene.lights);
+    for (const Light& light : world.lights) world.features.area_lights |= light.area.has_value();
+    world.background_transmit = scene.background.transmit;
+    world.ambient_light = scene.settings.ambient_light;
+    world.max_trace_level = scene.settings.max_trace_level;
+    world.adc_bailout = scene.settings.adc_bailout;
+    world.legacy_opacity = scene.language_version < 3.7;
+    world.background = scene.background.rgb * (world.legacy_opacity ? 1.0 : 1.0 - scene.background.transmit);
+    try {
+        Surfaces surfaces = compile_objects(scene, options, warn, world);
+        find_camera_interiors(surfaces, world);
+        world.scene_extent = extent(surfaces);
+        world.surfaces = std::make_unique<SurfaceIndex>(std::move(surfaces), options);
+    } catch (const std::bad_alloc&) {
+        throw LimitError("not enough memory for the scene's surfaces");
+    }
+    return world;
+}
+
+}  // namespace rt

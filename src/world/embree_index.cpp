@@ -1,0 +1,362 @@
+#include "world/embree_index.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cfenv>
+#include <limits>
+
+#include "world/triangle_block.h"
+
+namespace rt {
+
+namespace {
+
+/// Embree's slab tests see every box plane displaced by less than 9e-7 in local units (coordinates up to 1, so distances up to 2): 2^-25
+/// each from the rounded plane and ray origin, 2^-24 from their product with the reciprocal direction, and the relative errors 2^-24 of the
+/// rounded direction and 2^-22 of Embree's reciprocal times the distance. Boxes grow by more than that, and no box is missed.
+constexpr double box_padding = 1.5e-6;
+/// The box in which rays are clipped before they are rounded; its own test is in doubles.
+constexpr double scene_padding = 8e-6;
+/// Room above the distance that Embree may cull by.
+constexpr double far_slack = 4e-6;
+/// From farther away (in half sizes of the scene) doubles no longer say where in the padded box a ray enters.
+constexpr double far_origin = 1e7;
+
+[[noreturn]] void fail(RTCError error) {
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw LimitError("not enough memory for the index of the scene's surfaces");
+    throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
+}
+
+/// Owns one reference to an object of Embree's.
+template <typename T, void (*release)(T)>
+struct Releaser {
+    using pointer = T;
+    void operator()(T handle) const { release(handle); }
+};
+using DeviceHandle = std::unique_ptr<RTCDevice, Releaser<RTCDevice, rtcReleaseDevice>>;
+using SceneHandle = std::unique_ptr<RTCScene, Releaser<RTCScene, rtcReleaseScene>>;
+using GeometryHandle = std::unique_ptr<RTCGeometry, Releaser<RTCGeometry, rtcReleaseGeometry>>;
+
+/// Embree's builder sets flush-to-zero in threads that it uses, the caller's among them.
+class KeepFloatingPoint {
+public:
+    KeepFloatingPoint() { std::fegetenv(&environment_); }
+    ~KeepFloatingPoint() { std::fesetenv(&environment_); }
+    KeepFloatingPoint(const KeepFloatingPoint&) = delete;
+    KeepFloatingPoint& operator=(const KeepFloatingPoint&) = delete;
+
+private:
+    std::fenv_t environment_;
+};
+
+/// What the callbacks read besides the ray.
+struct IndexData {
+    IndexData(const Surfaces& s, const Bounds& box) : surfaces(s), frame(box) {}
+    const Surfaces& surfaces;
+    std::vector<std::uint32_t> bodies;  ///< objects that are not made of triangles
+    std::vector<std::uint32_t> faces;   ///< all triangles
+    std::vector<TriangleBlock> blocks;  ///< the same in blocks, if they are tested in doubles
+    LocalFrame frame;
+};
+
+/// What the callbacks of one ray share. Embree hands the context through unchanged; the ray it may copy.
+struct Context : RTCIntersectContext {
+    Context(const LocalFrame& frame, Query& q, double start)
+        : query(q),
+          t_start(start),
+          inverse_scale(frame.inverse_scale),
+          origin(frame.to_local(q.ray.at(start))),
+          block_ray(origin, q.triangle_ray) {
+        rtcInitIntersectContext(this);
+    }
+    /// The local distance beyond which nothing can be the nearest hit, rounded up.
+    float far(double t) const { return static_cast<float>((t - t_start) * inverse_scale * (1.0 + 1e-6) + far_slack); }
+
+    Query& query;
+    double t_start;  ///< where the ray enters the scene's box
+    double inverse_scale;
+    Vec3 origin;  ///< local, at t_start
+    BlockRay block_ray;
+};
+
+template <typename Arguments>
+Query& query_of(const Arguments* args) {
+    return static_cast<Context*>(args->context)->query;
+}
+template <typename Arguments>
+const IndexData& data_of(const Arguments* args) {
+    return *static_cast<const IndexData*>(args->geometryUserPtr);
+}
+
+/// Lets Embree cull by the hit just found.
+void shrink(const RTCIntersectFunctionNArguments* args) {
+    const Context& context = *static_cast<Context*>(args->context);
+    float& far = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar;
+    far = std::fmin(far, context.far(context.query.best.shape.t));
+}
+
+/// How an occlusion callback says yes.
+void occlude(const RTCOccludedFunctionNArguments* args) {
+    reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
+}
+
+void intersect_body(const RTCIntersectFunctionNArguments* args) {
+    const IndexData& data = data_of(args);
+    if (*args->valid && data.surfaces.test(data.bodies[args->primID], query_of(args))) shrink(args);
+}
+
+void occluded_body(const RTCOccludedFunctionNArguments* args) {
+    const IndexData& data = data_of(args);
+    if (*args->valid && data.surfaces.test(data.bodies[args->primID], query_of(args))) occlude(args);
+}
+
+void intersect_block(const RTCIntersectFunctionNArguments* args) {
+    if (!*args->valid) return;
+    const IndexData& data = data_of(args);
+    const TriangleBlock& block = data.blocks[args->primID];
+    Context& context = *static_cast<Context*>(args->context);
+    bool better = false;
+    for (std::uint32_t lanes = lanes_met(block, context.block_ray); lanes != 0; lanes &= lanes - 1)
+        better |= data.surfaces.test_face(block.face[std::countr_zero(lanes)], context.query);
+    if (better) shrink(args);
+}
+
+void occluded_block(const RTCOccludedFunctionNArguments* args) {
+    if (!*args->valid) return;
+    const IndexData& data = data_of(args);
+    const TriangleBlock& block = data.blocks[args->primID];
+    Context& context = *static_cast<Context*>(args->context);
+    for (std::uint32_t lanes = lanes_met(block, context.block_ray); lanes != 0; lanes &= lanes - 1)
+        if (data.surfaces.test_face(block.face[std::countr_zero(lanes)], context.query)) return occlude(args);
+}
+
+void set_bounds(const RTCBoundsFunctionArguments* args, const Vec3& low, const Vec3& high) {
+    RTCBounds& out = *args->bounds_o;
+    out.lower_x = static_cast<float>(low.x - box_padding);
+    out.lower_y = static_cast<float>(low.y - box_padding);
+    out.lower_z = static_cast<float>(low.z - box_padding);
+    out.upper_x = static_cast<float>(high.x + box_padding);
+    out.upper_y = static_cast<float>(high.y + box_padding);
+    out.upper_z = static_cast<float>(high.z + box_padding);
+}
+
+void bounds_of_body(const RTCBoundsFunctionArguments* args) {
+    const IndexData& data = data_of(args);
+    const Bounds box = data.surfaces.bounds(data.bodies[args->primID]);
+    set_bounds(args, data.frame.to_local(box.min), data.frame.to_local(box.max));
+}
+
+void bounds_of_block(const RTCBoundsFunctionArguments* args) {
+    const TriangleBlock& block = data_of(args).blocks[args->primID];
+    Vec3 low(infinity), high(-infinity);
+    for (const auto& corner : block.corner) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int lane = 0; lane < 4; ++lane) {
+                low[axis] = std::fmin(low[axis], double{corner[axis][lane]});
+                high[axis] = std::fmax(high[axis], double{corner[axis][lane]});
+            }
+        }
+    }
+    set_bounds(args, low, high);
+}
+
+/// A triangle that Embree found, met again in doubles: where the ray crosses its plane, without asking whether that is inside the edges.
+bool refine(const Surfaces& surfaces, std::uint32_t face, Query& query) {
+    const std::uint32_t object = surfaces.face_object[face];
+    const Surface& s = surfaces.objects[object];
+    if (!(s.seen & query.seen)) return false;
+    const auto& f = surfaces.faces[face];
+    const Vec3& a = surfaces.vertices[f[0]];
+    const Vec3 ab = surfaces.vertices[f[1]] - a;
+    const Vec3 ac = surfaces.vertices[f[2]] - a;
+    const Vec3 n = cross(ab, ac);
+    const double t = dot(n, a - query.ray.origin) / dot(n, query.ray.direction);
+    if (!query.range.contains(t)) return false;
+    const Vec3 p = query.ray.at(t) - a;
+    const double square = dot(n, n);
+    return query.offer({t, 0, dot(cross(p, ac), n) / square, dot(cross(ab, p), n) / square}, s.first_primitive + (face - s.first), object);
+}
+
+/// Filter of Embree's own triangles, for nearest hits and for occlusion.
+void filter_triangle(const RTCFilterFunctionNArguments* args) {
+    if (!*args->valid) return;
+    const IndexData& data = data_of(args);
+    const unsigned triangle = reinterpret_cast<const RTCHit*>(args->hit)->primID;
+    if (!refine(data.surfaces, data.faces[triangle], query_of(args))) *args->valid = 0;
+}
+
+Bounds bounds_of_all(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects) {
+    Bounds box;
+    for (const std::uint32_t object : objects) box.extend(surfaces.bounds(object));
+    return box;
+}
+
+/// Cuts the range to its part inside the box; false if there is none.
+bool clip(const Ray& ray, const Bounds& box, Interval& range) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double o = ray.origin[axis], d = ray.direction[axis];
+        if (d == 0.0) {
+            if (o < box.min[axis] || o > box.max[axis]) return false;
+            continue;
+        }
+        const double a = (box.min[axis] - o) / d;
+        const double b = (box.max[axis] - o) / d;
+        range.min = std::fmax(range.min, std::fmin(a, b));
+        range.max = std::fmin(range.max, std::fmax(a, b));
+    }
+    return range.min <= range.max;
+}
+
+Bounds grown(const Bounds& box, double by) { return {box.min - Vec3(by), box.max + Vec3(by)}; }
+
+void set_ray(RTCRay& ray, const Context& context, const Query& query, double t_end) {
+    ray.org_x = static_cast<float>(context.origin.x);
+    ray.org_y = static_cast<float>(context.origin.y);
+    ray.org_z = static_cast<float>(context.origin.z);
+    ray.dir_x = static_cast<float>(query.ray.direction.x);
+    ray.dir_y = static_cast<float>(query.ray.direction.y);
+    ray.dir_z = static_cast<float>(query.ray.direction.z);
+    ray.tnear = 0.0f;
+    ray.tfar = context.far(t_end);
+    ray.time = 0.0f;
+    ray.mask = ~0u;
+    ray.id = 0;
+    ray.flags = 0;
+}
+
+}  // namespace
+
+struct EmbreeIndex::State {
+    State(const Surfaces& surfaces, const std::vector<std::uint32_t>& o, const Bounds& tight)
+        : data(surfaces, tight), objects(o), box(grown(tight, scene_padding * data.frame.scale)) {}
+
+    IndexData data;
+    std::vector<std::uint32_t> objects;  ///< everything in the index
+    Bounds box;                          ///< of everything, padded
+    DeviceHandle device;
+    SceneHandle scene;
+
+    void check() const {
+        if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE) fail(error);
+    }
+
+    void attach(const GeometryHandle& geometry) {
+        rtcSetGeometryUserData(geometry.get(), &data);
+        rtcCommitGeometry(geometry.get());
+        rtcAttachGeometry(scene.get(), geometry.get());
+        check();
+    }
+
+    void add_callbacks(std::size_t count, RTCBoundsFunction bounds, RTCIntersectFunctionN intersect, RTCOccludedFunctionN occluded) {
+        const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+        check();
+        rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(count));
+        rtcSetGeometryBoundsFunction(geometry.get(), bounds, nullptr);
+        rtcSetGeometryIntersectFunction(geometry.get(), intersect);
+        rtcSetGeometryOccludedFunction(geometry.get(), occluded);
+        attach(geometry);
+    }
+
+    void add_float_triangles() {
+        const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        check();
+        const auto& vertices = data.surfaces.vertices;
+        const auto buffer = [&](RTCBufferType type, RTCFormat format, std::size_t count) {
+            void* memory = rtcSetNewGeometryBuffer(geometry.get(), type, 0, format, 12, count);
+            check();
+            return memory;
+        };
+        auto* corner = static_cast<float*>(buffer(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, vertices.size()));
+        for (const Vec3& vertex : vertices)
+            for (int axis = 0; axis < 3; ++axis) *corner++ = static_cast<float>(data.frame.to_local(vertex)[axis]);
+        auto* index = static_cast<std::uint32_t*>(buffer(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, data.faces.size()));
+        for (const std::uint32_t face : data.faces) index = std::copy_n(data.surfaces.faces[face].begin(), 3, index);
+        rtcSetGeometryIntersectFilterFunction(geometry.get(), filter_triangle);
+        rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_triangle);
+        attach(geometry);
+    }
+
+    void build(Precision precision, int threads) {
+        const KeepFloatingPoint keep;
+        device.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
+        if (!device) fail(rtcGetDeviceError(nullptr));
+        scene.reset(rtcNewScene(device.get()));
+        check();
+        for (const std::uint32_t object : objects) {
+            const Surface& s = data.surfaces.objects[object];
+            if (s.kind != SurfaceKind::triangles)
+                data.bodies.push_back(object);
+            else
+                for (std::uint32_t face = s.first; face < s.first + s.count; ++face) data.faces.push_back(face);
+        }
+        if (!data.bodies.empty()) add_callbacks(data.bodies.size(), bounds_of_body, intersect_body, occluded_body);
+        if (!data.faces.empty() && precision == Precision::fast) {
+            rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+            add_float_triangles();
+        } else if (!data.faces.empty()) {
+            data.blocks = make_blocks(data.surfaces, data.faces, data.frame);
+            data.faces = {};
+            add_callbacks(data.blocks.size(), bounds_of_block, intersect_block, occluded_block);
+        }
+        rtcCommitScene(scene.get());
+        check();
+    }
+
+    bool is_far(const Ray& ray) const {
+        const Vec3 away = (ray.origin - data.frame.centre) * data.frame.inverse_scale;
+        return !(std::fabs(away.x) < far_origin && std::fabs(away.y) < far_origin && std::fabs(away.z) < far_origin);
+    }
+
+    /// For the rare ray that aims at the scene from where its rounded copy would not be good enough.
+    bool test_all(Query& query, bool any) const {
+        const Vec3 away = ray_distance(query.ray);
+        Interval inside = query.range;
+        if (!clip(query.ray, grown(box, 1e-14 * (std::fabs(away.x) + std::fabs(away.y) + std::fabs(away.z))), inside)) return false;
+        bool met = false;
+        for (const std::uint32_t object : objects) {
+            met |= data.surfaces.test(object, query);
+            if (met && any) return true;
+        }
+        return met;
+    }
+    Vec3 ray_distance(const Ray& ray) const { return ray.origin - data.frame.centre; }
+};
+
+EmbreeIndex::EmbreeIndex(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects, Precision precision, int threads) {
+    state_ = std::make_unique<State>(surfaces, objects, bounds_of_all(surfaces, objects));
+    state_->build(precision, threads);
+}
+
+EmbreeIndex::~EmbreeIndex() = default;
+
+void EmbreeIndex::nearest(Query& query) const {
+    if (state_->is_far(query.ray)) {
+        state_->test_all(query, false);
+        return;
+    }
+    Interval inside = query.range;
+    if (query.found) inside.max = std::fmin(inside.max, query.best.shape.t);
+    if (!clip(query.ray, state_->box, inside)) return;
+    Context context(state_->data.frame, query, inside.min);
+    RTCRayHit ray;
+    set_ray(ray.ray, context, query, inside.max);
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(state_->scene.get(), &context, &ray);
+}
+
+bool EmbreeIndex::occluded(Query& query) const {
+    if (state_->is_far(query.ray)) return state_->test_all(query, true);
+    Interval inside = query.range;
+    if (!clip(query.ray, state_->box, inside)) return false;
+    Context context(state_->data.frame, query, inside.min);
+    RTCRay ray;
+    set_ray(ray, context, query, inside.max);
+    rtcOccluded1(state_->scene.get(), &context, &ray);
+    return ray.tfar < 0.0f;
+}
+
+}  // namespace rt

@@ -1,0 +1,204 @@
+#include "world/material_table.h"
+
+#include <bit>
+
+namespace rt {
+
+namespace {
+
+/// Combines numbers into a hash; equal values give equal hashes, zeros of both signs included.
+class Hash {
+public:
+    Hash& operator<<(double x) { return mix(std::bit_cast<std::uint64_t>(x == 0.0 ? 0.0 : x)); }
+    Hash& operator<<(const Vec3& v) { return *this << v.x << v.y << v.z; }
+    Hash& mix(std::uint64_t bits) {
+        state_ = (state_ ^ bits) * 0x9e3779b97f4a7c15u;
+        state_ ^= state_ >> 29;
+        return *this;
+    }
+    std::size_t value() const { return state_; }
+
+private:
+    std::uint64_t state_ = 0x243f6a8885a308d3u;
+};
+
+void hash_color(Hash& hash, const PigmentColor& c) { hash << c.rgb << c.filter << c.transmit; }
+
+void hash_transform(Hash& hash, const std::optional<Transform>& t) {
+    if (t) hash << t->linear[0] << t->linear[1] << t->linear[2] << t->offset;
+}
+
+void hash_pigment(Hash& hash, const Pigment& pigment) {
+    hash_transform(hash, pigment.transform);
+    if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) return hash_color(hash, *color);
+    for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) hash_pigment(hash, cell);
+}
+
+void hash_finish(Hash& hash, const Finish& f) {
+    hash << f.ambient << f.emission << f.diffuse << f.diffuse_back << f.brilliance << f.phong << f.phong_size << f.specular
+         << f.roughness.value_or(-1.0) << f.metallic << f.reflection.min << f.reflection.max << f.reflection.falloff;
+}
+
+void hash_layers(Hash& hash, const std::vector<Texture>& layers) {
+    hash.mix(layers.size());
+    for (const Texture& texture : layers) {
+        if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
+            hash_pigment(hash, plain->pigment);
+            hash_finish(hash, plain->finish);
+        } else {
+            const auto& checker = std::get<CheckerTexture>(texture.content);
+            hash_transform(hash, checker.transform);
+            for (const auto& cell : checker.cells) hash_layers(hash, cell);
+        }
+    }
+}
+
+bool same(const TextureLayers* a, const TextureLayers* b) { return a == b || (a && b && *a == *b); }
+
+Transform to_pattern(const std::optional<Transform>& transform) { return transform ? transform->inverse() : Transform{}; }
+
+std::uint32_t add_pigment(const Pigment& pigment, std::vector<PigmentNode>& tree) {
+    const auto at = static_cast<std::uint32_t>(tree.size());
+    tree.emplace_back();
+    tree[at].quick = pigment.quick_color;
+    if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) {
+        tree[at].color = *color;
+        return at;
+    }
+    tree[at].checker = true;
+    tree[at].to_pattern = to_pattern(pigment.transform);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::uint32_t child = add_pigment(std::get<CheckerPigment>(pigment.content).cells[i], tree);
+        tree[at].child[i] = child;
+    }
+    return at;
+}
+
+double mapped_alpha(const std::optional<double>& roughness, AlphaMapping mapping) {
+    constexpr double default_roughness = 0.05;
+    if (!roughness) mapping = AlphaMapping::povray;
+    const double r = std::fmax(0.0, roughness.value_or(default_roughness));
+    switch (mapping) {
+        case AlphaMapping::roughness2:
+            return r * r;
+        case AlphaMapping::povray:
+            return std::sqrt(2.0 / (1.0 / r + 2.0));
+        case AlphaMapping::direct:
+            return r;
+    }
+    return r;
+}
+
+bool transmits(const PigmentColor& c) { return std::fabs(c.filter) > 1e-10 || std::fabs(c.transmit) > 1e-10; }
+
+bool can_transmit(const std::vector<LayerNode>& layers) {
+    for (const LayerNode& layer : layers) {
+        if (can_transmit(layer.cell[0]) || can_transmit(layer.cell[1])) return true;
+        for (const PigmentNode& node : layer.pigment)
+            if (!node.checker && transmits(node.color)) return true;
+    }
+    return false;
+}
+
+bool can_reflect(const std::vector<LayerNode>& layers) {
+    for (const LayerNode& layer : layers)
+        if ((!layer.checker && layer.finish.reflects) || can_reflect(layer.cell[0]) || can_reflect(layer.cell[1])) return true;
+    return false;
+}
+
+}  // namespace
+
+SurfaceFinish MaterialTable::make_finish(const Finish& finish, double ior, const Span& span) {
+    SurfaceFinish surface;
+    surface.finish = finish;
+    const double roughness = finish.roughness.value_or(0.05);
+    surface.specular_exponent = roughness == 0.0 ? 0.0 : 1.0 / roughness;
+    surface.reflects = finish.reflection.min != Rgb(0.0) || finish.reflection.max != Rgb(0.0);
+    surface.s = std::fmin(std::fmax(finish.specular, 0.0), 1.0);
+    surface.alpha = mapped_alpha(finish.roughness, options_.alpha);
+    surface.f0 = sqr((ior - 1.0) / (ior + 1.0));
+    if (surface.s != finish.specular && options_.general_shading && !warned_specular_) {
+        warned_specular_ = true;
+        warn_(scene_.sources.describe(
+            span, "Warning",
+            "'specular' is used as the share of light that the microfacet term takes; clamped to 0..1 here and in all further finishes."));
+    }
+    return surface;
+}
+
+LayerNode MaterialTable::make_layer(const Texture& texture, double ior, const Span& span) {
+    LayerNode node;
+    if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
+        add_pigment(plain->pigment, node.pigment);
+        node.finish = make_finish(plain->finish, ior, span);
+        return node;
+    }
+    const auto& checker = std::get<CheckerTexture>(texture.content);
+    node.checker = true;
+    node.to_pattern = to_pattern(checker.transform);
+    for (std::size_t i = 0; i < 2; ++i) node.cell[i] = make_layers(checker.cells[i], ior, span);
+    return node;
+}
+
+std::vector<LayerNode> MaterialTable::make_layers(const std::vector<Texture>& layers, double ior, const Span& span) {
+    std::vector<LayerNode> nodes;
+    nodes.reserve(layers.size());
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) nodes.push_back(make_layer(*layer, ior, span));
+    return nodes;
+}
+
+Material MaterialTable::make(const Object& object, const Origin& origin) {
+    Material material;
+    if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, object.span);
+    if (origin.interior_texture) material.interior_layers = make_layers(**origin.interior_texture, origin.ior, object.span);
+    material.can_transmit = can_transmit(material.layers) || can_transmit(material.interior_layers);
+    material.can_reflect = can_reflect(material.layers) || can_reflect(material.interior_layers);
+    return material;
+}
+
+std::uint32_t MaterialTable::add(const Object& object) {
+    const std::optional<double> stated = stated_ior(object);
+    Origin origin{object.texture ? &*object.texture : nullptr, object.interior_texture ? &*object.interior_texture : nullptr,
+                  stated && *stated > 0.0 ? *stated : 1.5, 0};
+    Hash hash;
+    hash << origin.ior;
+    for (const TextureLayers* layers : {origin.texture, origin.interior_texture})
+        if (layers) hash_layers(hash, **layers);
+    const auto [begin, end] = by_content_.equal_range(hash.value());
+    for (auto it = begin; it != end; ++it) {
+        const Origin& known = it->second;
+        if (known.ior == origin.ior && same(known.texture, origin.texture) && same(known.interior_texture, origin.interior_texture))
+            return known.material;
+    }
+    origin.material = static_cast<std::uint32_t>(materials_.size());
+    materials_.push_back(make(object, origin));
+    by_content_.emplace(hash.value(), origin);
+    return origin.material;
+}
+
+const Finish* legacy_finish(const Object& object) {
+    if (!object.texture || (*object.texture)->empty()) return nullptr;
+    const auto* top = std::get_if<PlainTexture>(&(*object.texture)->back().content);
+    return top ? &top->finish : nullptr;
+}
+
+std::optional<double> stated_ior(const Object& object) {
+    if (const Finish* finish = legacy_finish(object); finish && finish->ior) return finish->ior;
+    return object.interior ? (*object.interior)->ior : std::nullopt;
+}
+
+CompiledInterior compile_interior(const Object& object) {
+    CompiledInterior compiled;
+    if (object.interior) {
+        const Interior& stated = **object.interior;
+        compiled = {stated.ior.value_or(1.0), stated.caustics, stated.fade_distance, stated.fade_power, stated.fade_color, 1.0};
+    }
+    if (const Finish* finish = legacy_finish(object)) {
+        compiled.ior = finish->ior.value_or(compiled.ior);
+        compiled.caustics = finish->caustics.value_or(compiled.caustics);
+        compiled.refraction = finish->refraction.value_or(1.0);
+    }
+    return compiled;
+}
+
+}  // namespace rt

@@ -1,0 +1,52 @@
+// The scene's textures and interiors as the compiled lists, equal ones once.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "world/compile.h"
+
+namespace rt {
+
+/// Collects materials; objects with the same textures and the same index of refraction share one.
+class MaterialTable {
+public:
+    MaterialTable(const Scene& scene, const CompileOptions& options, const MessageSink& warn)
+        : scene_(scene), options_(options), warn_(warn) {}
+
+    /// Index of the object's material.
+    std::uint32_t add(const Object& object);
+    std::vector<Material> take() { return std::move(materials_); }
+    const Material& operator[](std::uint32_t index) const { return materials_[index]; }
+
+private:
+    /// What a material was made from. The scene outlives the table.
+    struct Origin {
+        const TextureLayers* texture;
+        const TextureLayers* interior_texture;
+        double ior;
+        std::uint32_t material;
+    };
+    Material make(const Object& object, const Origin& origin);
+    std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, const Span& span);
+    LayerNode make_layer(const Texture& texture, double ior, const Span& span);
+    SurfaceFinish make_finish(const Finish& finish, double ior, const Span& span);
+
+    const Scene& scene_;
+    const CompileOptions& options_;
+    const MessageSink& warn_;
+    std::vector<Material> materials_;
+    std::unordered_multimap<std::size_t, Origin> by_content_;
+    bool warned_specular_ = false;
+};
+
+/// The interior of an object with the legacy keywords of its finish merged in.
+CompiledInterior compile_interior(const Object& object);
+
+/// The finish whose legacy keywords count for the object: the top layer's, unless that is a pattern of textures.
+const Finish* legacy_finish(const Object& object);
+
+/// The index of refraction that the file states for the object, in a finish or an interior.
+std::optional<double> stated_ior(const Object& object);
+
+}  // namespace rt

@@ -1,0 +1,124 @@
+#include "world/surface_index.h"
+
+#include <algorithm>
+
+#include "world/embree_index.h"
+
+namespace rt {
+
+namespace {
+
+/// With no more surfaces than this a list is faster than the index.
+constexpr std::size_t list_limit = 8;
+/// Coordinates beyond this are left to the list: their squares come near the end of doubles.
+constexpr double largest_indexed = 1e140;
+/// Rounding in Embree is relative to the whole scene, so a few objects that dwarf all others would blur them: they go to the list.
+constexpr std::size_t most_outliers = 8;
+constexpr double outlier_ratio = 16.0;
+
+struct Reach {
+    double distance;
+    std::uint32_t object;
+};
+
+/// Largest distance of a box from a point, by components.
+double reach(const Bounds& box, const Vec3& from) {
+    const Vec3 a = from - box.min;
+    const Vec3 b = box.max - from;
+    return std::fmax(max_component(a), max_component(b));
+}
+
+Vec3 median_centre(std::vector<Bounds> boxes) {
+    Vec3 median(0.0);
+    const auto middle = boxes.begin() + static_cast<std::ptrdiff_t>(boxes.size() / 2);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto centre = [axis](const Bounds& b) { return 0.5 * b.min[axis] + 0.5 * b.max[axis]; };
+        std::nth_element(boxes.begin(), middle, boxes.end(), [&](const Bounds& a, const Bounds& b) { return centre(a) < centre(b); });
+        median[axis] = centre(*middle);
+    }
+    return median;
+}
+
+/// Moves the few objects from `indexed` to `listed` that reach much farther than all the others.
+void list_outliers(const Surfaces& surfaces, std::vector<std::uint32_t>& indexed, std::vector<std::uint32_t>& listed) {
+    if (indexed.size() < 2) return;
+    std::vector<Bounds> boxes;
+    boxes.reserve(indexed.size());
+    for (const std::uint32_t object : indexed) boxes.push_back(surfaces.bounds(object));
+    std::vector<Reach> reaches;
+    reaches.reserve(indexed.size());
+    const Vec3 centre = median_centre(boxes);
+    for (std::size_t i = 0; i < indexed.size(); ++i) reaches.push_back({reach(boxes[i], centre), indexed[i]});
+    const std::size_t considered = std::min(most_outliers + 1, reaches.size());
+    std::partial_sort(reaches.begin(), reaches.begin() + static_cast<std::ptrdiff_t>(considered), reaches.end(),
+                      [](const Reach& a, const Reach& b) { return a.distance > b.distance; });
+    std::size_t outliers = 0;
+    for (std::size_t k = 1; k < considered; ++k) {
+        if (surfaces.objects[reaches[k - 1].object].count > most_outliers) break;
+        if (reaches[k - 1].distance > outlier_ratio * reaches[k].distance) outliers = k;
+    }
+    for (std::size_t k = 0; k < outliers; ++k) {
+        listed.push_back(reaches[k].object);
+        indexed.erase(std::find(indexed.begin(), indexed.end(), reaches[k].object));
+    }
+}
+
+std::size_t primitive_count(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects) {
+    std::size_t n = 0;
+    for (const std::uint32_t object : objects) n += surfaces.objects[object].count;
+    return n;
+}
+
+std::uint8_t bit(RayKind kind) {
+    switch (kind) {
+        case RayKind::image:
+            return seen_by::image;
+        case RayKind::reflected:
+            return seen_by::reflected;
+        case RayKind::shadow:
+            return seen_by::shadow;
+    }
+    return 0;
+}
+
+/// Rays that are no rays meet nothing; tested once here so that no shape and no index has to survive them.
+bool is_ray(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
+
+}  // namespace
+
+SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options) : surfaces_(std::move(surfaces)) {
+    std::vector<std::uint32_t> indexed;
+    for (std::uint32_t object = 0; object < surfaces_.objects.size(); ++object) {
+        if (surfaces_.objects[object].count == 0) continue;
+        const Bounds box = surfaces_.bounds(object);
+        const bool fits = options.index != IndexKind::brute_force && box.is_finite() && reach(box, Vec3(0.0)) < largest_indexed;
+        (fits ? indexed : listed_).push_back(object);
+    }
+    list_outliers(surfaces_, indexed, listed_);
+    if (options.index == IndexKind::automatic && primitive_count(surfaces_, indexed) <= list_limit) {
+        listed_.insert(listed_.end(), indexed.begin(), indexed.end());
+        indexed.clear();
+    }
+    if (!indexed.empty()) embree_ = std::make_unique<EmbreeIndex>(surfaces_, indexed, options.precision, options.threads);
+}
+
+SurfaceIndex::~SurfaceIndex() = default;
+
+bool SurfaceIndex::nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const {
+    if (!is_ray(ray)) return false;
+    Query query(ray, range, bit(kind));
+    for (const std::uint32_t object : listed_) surfaces_.test(object, query);
+    if (embree_) embree_->nearest(query);
+    if (query.found) hit = query.best;
+    return query.found;
+}
+
+bool SurfaceIndex::occluded(const Ray& ray, const Interval& range) const {
+    if (!is_ray(ray)) return false;
+    Query query(ray, range, seen_by::blocker);
+    for (const std::uint32_t object : listed_)
+        if (surfaces_.test(object, query)) return true;
+    return embree_ && embree_->occluded(query);
+}
+
+}  // namespace rt

@@ -1,0 +1,32 @@
+// How a world's rays are answered: an Embree index over the bounded surfaces and a list of the rest, or one list of everything.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "world/compile.h"
+#include "world/surfaces.h"
+
+namespace rt {
+
+class EmbreeIndex;
+
+class SurfaceIndex {
+public:
+    SurfaceIndex(Surfaces surfaces, const CompileOptions& options);
+    ~SurfaceIndex();
+
+    bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
+    bool occluded(const Ray& ray, const Interval& range) const;
+    Vec3 normal(const Hit& hit, const Vec3& point) const { return surfaces_.normal(hit, point); }
+    const Surfaces& surfaces() const { return surfaces_; }
+    /// Whether an Embree index is in use.
+    bool indexed() const { return embree_ != nullptr; }
+
+private:
+    Surfaces surfaces_;
+    std::vector<std::uint32_t> listed_;  ///< objects tested one by one for every ray
+    std::unique_ptr<EmbreeIndex> embree_;
+};
+
+}  // namespace rt

@@ -1,0 +1,144 @@
+#include "world/surfaces.h"
+
+#include "world/inside.h"
+
+namespace rt {
+
+namespace {
+
+template <typename S>
+bool intersect_placed(const Placed<S>& placed, const Query& query, ShapeHit& hit) {
+    if (!placed.moved) return intersect(placed.shape, query.ray, query.range, hit);
+    return intersect(placed.shape, placed.to_world.inverse_ray(query.ray), query.range, hit);
+}
+
+template <typename S>
+Vec3 normal_placed(const Placed<S>& placed, const Vec3& point, const ShapeHit& hit) {
+    if (!placed.moved) return normal(placed.shape, point, hit);
+    return placed.to_world.normal(normal(placed.shape, placed.to_world.inverse_point(point), hit));
+}
+
+template <typename S>
+Bounds bounds_placed(const Placed<S>& placed) {
+    return placed.moved ? placed.to_world.bounds(bounds(placed.shape)) : bounds(placed.shape);
+}
+
+/// Calls `f` with the shape behind a surface that is not made of triangles.
+template <typename F>
+auto visit_shape(const Surfaces& all, const Surface& s, F f) {
+    switch (s.kind) {
+        case SurfaceKind::sphere:
+            return f(all.spheres[s.first]);
+        case SurfaceKind::plane:
+            return f(all.planes[s.first]);
+        case SurfaceKind::placed_sphere:
+            return f(all.placed_spheres[s.first]);
+        case SurfaceKind::box:
+            return f(all.boxes[s.first]);
+        case SurfaceKind::cone:
+            return f(all.cones[s.first]);
+        case SurfaceKind::torus:
+            return f(all.toruses[s.first]);
+        case SurfaceKind::disc:
+            return f(all.discs[s.first]);
+        case SurfaceKind::polygon:
+            return f(all.polygons[s.first]);
+        case SurfaceKind::triangles:
+            break;
+    }
+    throw std::logic_error("triangles are visited face by face");
+}
+
+template <typename T>
+constexpr bool is_placed = false;
+template <typename S>
+constexpr bool is_placed<Placed<S>> = true;
+
+/// From the vertices, on POV-Ray's side.
+Vec3 flat_normal(const Surfaces& all, const Surface& s, const Hit& hit) {
+    const auto& f = all.faces[s.first + (hit.primitive - s.first_primitive)];
+    const Vec3 n = cross(all.vertices[f[2]] - all.vertices[f[0]], all.vertices[f[1]] - all.vertices[f[0]]);
+    return s.mirrored ? -n : n;
+}
+
+Vec3 triangle_normal(const Surfaces& all, const Surface& s, const Hit& hit, const Vec3& point) {
+    if (s.first_normals == Surface::flat) return flat_normal(all, s, hit);
+    const auto& n = all.normal_faces[s.first_normals + (hit.primitive - s.first_primitive)];
+    if (n[0] == Surface::flat) return flat_normal(all, s, hit);
+    return normal(SmoothTriangle{{}, {}, {}, all.normals[n[0]], all.normals[n[1]], all.normals[n[2]]}, point, hit.shape);
+}
+
+}  // namespace
+
+bool Surfaces::test(std::uint32_t object, Query& query) const {
+    const Surface& s = objects[object];
+    if (!(s.seen & query.seen)) return false;
+    if (s.kind == SurfaceKind::triangles) {
+        bool better = false;
+        for (std::uint32_t face = s.first; face < s.first + s.count; ++face) better |= test_face(face, query);
+        return better;
+    }
+    ShapeHit hit;
+    const bool met = visit_shape(*this, s, [&](const auto& shape) {
+        if constexpr (is_placed<std::decay_t<decltype(shape)>>)
+            return intersect_placed(shape, query, hit);
+        else
+            return intersect(shape, query.ray, query.range, hit);
+    });
+    return met && query.offer(hit, s.first_primitive, object);
+}
+
+Vec3 Surfaces::normal(const Hit& hit, const Vec3& point) const {
+    const Surface& s = objects[hit.object];
+    Vec3 n;
+    if (s.kind == SurfaceKind::triangles) {
+        n = triangle_normal(*this, s, hit, point);
+    } else {
+        n = visit_shape(*this, s, [&](const auto& shape) {
+            if constexpr (is_placed<std::decay_t<decltype(shape)>>)
+                return normal_placed(shape, point, hit.shape);
+            else
+                return rt::normal(shape, point, hit.shape);
+        });
+    }
+    // Scaled first: the square of a normal of a huge or tiny triangle leaves the range of doubles.
+    const double largest = std::fmax(std::fabs(n.x), std::fmax(std::fabs(n.y), std::fabs(n.z)));
+    n = unit(n / largest);
+    return s.inverse ? -n : n;
+}
+
+Bounds Surfaces::bounds(std::uint32_t object) const {
+    const Surface& s = objects[object];
+    if (s.kind != SurfaceKind::triangles) {
+        return visit_shape(*this, s, [](const auto& shape) {
+            if constexpr (is_placed<std::decay_t<decltype(shape)>>)
+                return bounds_placed(shape);
+            else
+                return rt::bounds(shape);
+        });
+    }
+    Bounds box;
+    for (std::uint32_t face = s.first; face < s.first + s.count; ++face)
+        for (const std::uint32_t vertex : faces[face]) box.extend(vertices[vertex]);
+    return box;
+}
+
+bool Surfaces::met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const {
+    const Surface& s = objects[hit.object];
+    if (s.kind == SurfaceKind::triangles && s.of_mesh) return (dot(flat_normal(*this, s, hit), direction) > 0.0) != s.inverse;
+    return dot(normal(hit, point), direction) > 0.0;
+}
+
+bool Surfaces::contains(std::uint32_t object, const Vec3& point) const {
+    const Surface& s = objects[object];
+    if (s.kind == SurfaceKind::triangles || s.kind == SurfaceKind::polygon) return false;
+    const bool in = visit_shape(*this, s, [&](const auto& shape) {
+        if constexpr (is_placed<std::decay_t<decltype(shape)>>)
+            return inside(shape.shape, shape.moved ? shape.to_world.inverse_point(point) : point);
+        else
+            return inside(shape, point);
+    });
+    return in != s.inverse;
+}
+
+}  // namespace rt

@@ -1,0 +1,109 @@
+// Every surface of the scene as flat arrays, one per kind, ready for rays: triangles in world space, other shapes in their own space
+// behind a transform unless they can be moved exactly. Knows how one object is tested; the order of the tests is the index's business.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/shape.h"
+#include "world/world.h"
+
+namespace rt {
+
+/// Which rays meet an object, one bit each.
+namespace seen_by {
+inline constexpr std::uint8_t image = 1, reflected = 2, shadow = 4;
+inline constexpr std::uint8_t blocker = 8;  ///< casts shadows and can never transmit
+}  // namespace seen_by
+
+/// A shape and where it stands.
+template <typename S>
+struct Placed {
+    S shape;
+    bool moved = false;  ///< false: `to_world` is the identity and is not applied
+    Transform to_world;
+};
+
+enum class SurfaceKind : std::uint8_t { triangles, sphere, plane, placed_sphere, box, cone, torus, disc, polygon };
+
+/// One object of the scene: where its shape lies among the arrays of `Surfaces`.
+struct Surface {
+    static constexpr std::uint32_t flat = 0xffffffffu;
+    SurfaceKind kind = SurfaceKind::sphere;
+    std::uint8_t seen = 0;  ///< bits of `seen_by`
+    bool inverse = false;   ///< normals are negated
+    bool of_mesh = false;
+    bool mirrored = false;               ///< a mesh whose transform turned it inside out
+    std::uint32_t first_primitive = 0;   ///< primitives of an object are numbered in a row, objects in file order
+    std::uint32_t count = 1;             ///< number of primitives: faces of a mesh
+    std::uint32_t first = 0;             ///< index into the array of its kind
+    std::uint32_t first_normals = flat;  ///< index into `normal_faces`
+};
+
+/// A ray's question with the best answer so far. Equal distances go to the smaller primitive, so the order of tests does not matter.
+struct Query {
+    Query(const Ray& r, const Interval& i, std::uint8_t bits) : ray(r), triangle_ray(r), range(i), seen(bits) {}
+    Ray ray;
+    TriangleRay triangle_ray;
+    Interval range;
+    std::uint8_t seen;
+    Hit best;
+    bool found = false;
+
+    /// Takes `hit` if it is nearer than the best.
+    bool offer(const ShapeHit& hit, std::uint32_t primitive, std::uint32_t object) {
+        if (found && !(hit.t < best.shape.t || (hit.t == best.shape.t && primitive < best.primitive))) return false;
+        best = {hit, primitive, object};
+        found = true;
+        return true;
+    }
+};
+
+struct Surfaces {
+    using Face = MeshData::Face;
+    std::vector<Surface> objects;  ///< in file order
+    std::vector<Vec3> vertices;
+    std::vector<Face> faces;
+    std::vector<std::uint32_t> face_object;  ///< the object of each face
+    std::vector<Vec3> normals;  ///< of smooth triangles, world space; a mesh's as the inverse transpose leaves them, since POV-Ray
+                                ///< interpolates before it transforms
+    std::vector<Face> normal_faces;
+    std::vector<Sphere> spheres;
+    std::vector<Plane> planes;
+    std::vector<Placed<Sphere>> placed_spheres;
+    std::vector<Placed<Box>> boxes;
+    std::vector<Placed<Cone>> cones;
+    std::vector<Placed<Torus>> toruses;
+    std::vector<Placed<Disc>> discs;
+    std::vector<Placed<Polygon>> polygons;
+
+    /// Adds one object; `seen` are the bits of `seen_by`. Throws LimitError beyond 2^32 - 1 primitives.
+    void add(const Object& object, std::uint8_t seen);
+
+    /// Nearest hit of the ray with a whole object, offered to the query; true if it is the best so far.
+    bool test(std::uint32_t object, Query& query) const;
+    bool test_face(std::uint32_t face, Query& query) const {
+        const std::uint32_t object = face_object[face];
+        const Surface& s = objects[object];
+        if (!(s.seen & query.seen)) return false;
+        const Face& f = faces[face];
+        ShapeHit hit;
+        return intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.triangle_ray, query.range, hit) &&
+               query.offer(hit, s.first_primitive + (face - s.first), object);
+    }
+
+    Vec3 normal(const Hit& hit, const Vec3& point) const;
+    /// Whether a ray of this direction comes from the inner side, which shows the interior texture.
+    bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;
+    /// In world space; not finite for planes and for shapes too large for the numbers.
+    Bounds bounds(std::uint32_t object) const;
+    /// Whether the point is in the object's inside (or, for an inverse one, not). Flat shapes and meshes have none.
+    bool contains(std::uint32_t object, const Vec3& point) const;
+
+private:
+    void add_triangle(const Transform& to_world, const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>* corner_normals, Surface& s);
+    void add_mesh(const Transform& to_world, const MeshData& mesh, Surface& s);
+    void add_shape(const Object& object, const Transform& to_world, Surface& s);
+};
+
+}  // namespace rt

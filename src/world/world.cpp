@@ -1,0 +1,24 @@
+#include "world/world.h"
+
+#include "world/surface_index.h"
+
+namespace rt {
+
+World::World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+bool World::nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const {
+    return surfaces && surfaces->nearest(ray, range, kind, hit);
+}
+
+bool World::occluded(const Ray& ray, const Interval& range) const { return surfaces && surfaces->occluded(ray, range); }
+
+Vec3 World::normal(const Hit& hit, const Vec3& point) const { return surfaces->normal(hit, point); }
+
+bool World::met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const {
+    return surfaces->surfaces().met_from_inside(hit, point, direction);
+}
+
+}  // namespace rt
