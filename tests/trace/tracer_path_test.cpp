@@ -1,0 +1,238 @@
+// Mirrors, transparency, refraction, limits: closed forms.
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include "tests/trace/tracer_scene.h"
+
+namespace rt {
+namespace {
+
+using namespace tracer_test;
+
+const Rgb sky(0.3, 0.5, 0.7);
+
+Finish mirror(const Rgb& min, const Rgb& max) {
+    Finish f = plain();
+    f.reflection.min = min, f.reflection.max = max;
+    return f;
+}
+
+TEST(Mirror, reflectivity_goes_from_min_to_max) {
+    Finish f = mirror({0.1, 0.2, 0.3}, {0.9, 0.8, 0.7});
+    f.reflection.falloff = 3;
+    Traced t(scene_with({object(floor_plane(), texture(color(Rgb(0.5)), f))}, {}, sky));
+    const double k = std::pow(1 - 0.6, 3);
+    EXPECT_RGB_NEAR(t.look({0, 1, 0}, {0.8, -0.6, 0}).rgb, (k * f.reflection.max + (1 - k) * f.reflection.min) * sky, 1e-12);
+    EXPECT_EQ(t.tracer->counts().reflected, 1u);
+}
+
+TEST(Mirror, fresnel_exponent_and_metallic) {
+    Finish f = mirror(Rgb(0.1), Rgb(0.9));
+    f.reflection.fresnel = true;
+    Interior glass;
+    glass.ior = 1.5;
+    Traced t(scene_with({object(floor_plane(), texture(color(Rgb(0.5)), f), glass)}, {}, sky));
+    EXPECT_RGB_NEAR(t.look({0, 1, 0}, {0, -1, 0}).rgb, (0.04 * 0.9 + 0.96 * 0.1) * sky, 1e-12);
+
+    f = mirror(Rgb(0.5), Rgb(0.5));
+    f.reflection.exponent = 2;
+    Traced root(scene_with({object(floor_plane(), texture(color(Rgb(0.5)), f))}, {}, {0.25, 0.0, -0.5}));
+    EXPECT_RGB_NEAR(root.look({0, 1, 0}, {0, -1, 0}).rgb, Rgb(0.25, 0, 0), 1e-12);
+
+    f = mirror(Rgb(0.5), Rgb(0.5));
+    f.reflection.metallic = 1;
+    Traced metal(scene_with({object(floor_plane(), texture(color({1, 0.5, 0.1}), f))}, {}, sky));
+    EXPECT_RGB_NEAR(metal.look({0, 1, 0}, {0, -1, 0}).rgb, 0.5 * Rgb(1, 0.5, 0.1) * sky, 1e-9);
+}
+
+/// Two facing mirrors with ambient a and reflection r: a ray that may enter `levels` surfaces gathers a geometric series.
+Scene facing_mirrors(double a, double r) {
+    Finish f = mirror(Rgb(r), Rgb(r));
+    f.ambient = Rgb(a);
+    return scene_with({object(floor_plane(), texture(color(Rgb(1.0)), f)), object(floor_plane(1), texture(color(Rgb(1.0)), f))});
+}
+
+double series(double a, double r, int terms) {
+    double sum = 0;
+    for (int i = 0; i < terms; ++i) sum += a * std::pow(r, i);
+    return sum;
+}
+
+TEST(Limits, max_trace_level_ends_in_black) {
+    for (const int level : {1, 2, 5, 20}) {
+        Scene s = facing_mirrors(0.1, 0.9);
+        s.settings.max_trace_level = level;
+        Traced t(std::move(s));
+        EXPECT_NEAR(t.look({0, 0.5, 0}, {0.1, -1, 0}).rgb.g, series(0.1, 0.9, level), 1e-12) << level;
+    }
+    TraceOptions options = povray_options();
+    options.max_trace_level = 3;
+    Traced t(facing_mirrors(0.1, 0.9), options);
+    EXPECT_NEAR(t.look({0, 0.5, 0}, {0.1, -1, 0}).rgb.g, series(0.1, 0.9, 3), 1e-12);
+}
+
+TEST(Limits, adc_bailout_ends_in_black) {
+    Scene s = facing_mirrors(0.1, 0.9);
+    s.settings.max_trace_level = 20;
+    s.settings.adc_bailout = 0.5;
+    Traced t(std::move(s));
+    EXPECT_NEAR(t.look({0, 0.5, 0}, {0.1, -1, 0}).rgb.g, series(0.1, 0.9, 7), 1e-12) << "0.9^6 = 0.53 is traced, 0.9^7 is not";
+}
+
+TEST(Transparency, every_surface_filters_and_straight_rays_are_no_level) {
+    const PigmentColor glass = color({0.9, 0.5, 0.2}, 0.6, 0.3);
+    const Rgb W = 0.6 * glass.rgb + Rgb(0.3), S = 0.1 * 0.2 * glass.rgb;
+    Scene s = scene_with({object(Box{Vec3(-5, -1, -5), Vec3(5, 0, 5)}, texture(glass, plain(Rgb(0.2)))),
+                          object(Box{Vec3(-5, -3, -5), Vec3(5, -2, 5)}, texture(glass, plain(Rgb(0.2))))},
+                         {}, sky);
+    s.settings.max_trace_level = 2;
+    Traced t(std::move(s));
+    const Radiance seen = t.look({0, 1, 0}, {0.1, -1, 0.2});
+    EXPECT_RGB_NEAR(seen.rgb, S + W * (S + W * (S + W * (S + W * sky))), 1e-12);
+    EXPECT_EQ(t.tracer->counts().refracted, 4u);
+
+    Scene once = t.scene;
+    once.settings.max_trace_level = 1;
+    Traced black(std::move(once));
+    EXPECT_RGB_NEAR(black.look({0, 1, 0}, {0.1, -1, 0.2}).rgb, S, 1e-12);
+}
+
+TEST(Transparency, transmittance_is_the_grey_share_of_the_background) {
+    const PigmentColor glass = color({0.2, 0.4, 0.6}, 0.5);
+    Scene s = scene_with({object(Sphere{Vec3(0.0), 1.0}, texture(glass, plain()))}, {}, Rgb(0.0));
+    s.background = color(Rgb(0.0), 0.0, 1.0);
+    Traced t(std::move(s));
+    const double grey_W = 0.297 * 0.1 + 0.589 * 0.2 + 0.114 * 0.3;
+    EXPECT_NEAR(t.look({0, 0, -3}, {0, 0, 1}).transmittance, grey_W * grey_W * t.world->background_transmit, 1e-12);
+    EXPECT_EQ(t.look({0, 0, -3}, {0, 0, -1}).transmittance, t.world->background_transmit);
+}
+
+TEST(Transparency, conserve_energy_dims_only_what_is_transmitted) {
+    Finish f = mirror(Rgb(0.4), Rgb(0.4));
+    f.conserve_energy = true;
+    Traced t(scene_with({object(Disc{Vec3(0.0), Vec3(0, 1, 0), 9, 0}, texture(color(Rgb(1.0), 0, 0.5), f))}, {}, sky));
+    EXPECT_RGB_NEAR(t.look({0, 1, 0}, {0, -1, 0}).rgb, 0.4 * sky + 0.5 * 0.6 * sky, 1e-12);
+}
+
+TEST(Refraction, a_slab_shifts_the_ray_and_a_prism_bends_it) {
+    // Below the slab lies a checkered floor: the cell that is met tells where the ray came out.
+    Interior glass;
+    glass.ior = 1.5;
+    const Object slab = object(Box{Vec3(-50, -2, -50), Vec3(50, 0, 50)}, texture(color(Rgb(1.0), 0, 1), plain()), glass);
+    const Object floor = object(floor_plane(-2.5), texture(checker(color({1, 0, 0}), color({0, 1, 0})), plain(Rgb(1.0))));
+    Traced t(scene_with({slab, floor}, {}, sky));
+    for (double x = -7.93; x < 8; x += 0.37) {
+        const Vec3 d = unit(Vec3(1, -1, 0));
+        const double inside = 2 * std::tan(std::asin(d.x / 1.5));
+        const double out_x = x + 1 + inside + 0.5;  // enters at x + 1 from height 1
+        const bool odd = (static_cast<int>(std::floor(out_x)) + static_cast<int>(std::floor(-2.5))) % 2 != 0;
+        EXPECT_EQ(t.look({x, 1, 0.5}, d).rgb, odd ? Rgb(0, 1, 0) : Rgb(1, 0, 0)) << x;
+    }
+}
+
+TEST(Refraction, total_reflection_is_not_filtered_and_replaces_the_mirror) {
+    Interior glass;
+    glass.ior = 1.5;
+    Finish f = mirror(Rgb(0.25), Rgb(0.25));
+    const PigmentColor pigment = color({0.9, 0.5, 0.2}, 1.0);
+    Traced t(scene_with({object(Box{Vec3(-1.0), Vec3(1.0)}, texture(pigment, f), glass)}, {}, sky));
+    ASSERT_EQ(t.world->camera_interiors.size(), 0u);
+    // Enter from the left at 45 degrees: 28.1 inside, meets the top at 61.9 (total), leaves through the right side. Every mirror shows sky
+    // or is met inside, where it starts a path of its own; without mirrors only the two crossings filter.
+    Traced bare(scene_with({object(Box{Vec3(-1.0), Vec3(1.0)}, texture(pigment, plain()), glass)}, {}, sky));
+    const Radiance r = bare.look({-2, -0.5, 0.1}, {1, 1, 0});
+    EXPECT_RGB_NEAR(r.rgb, pigment.rgb * pigment.rgb * sky, 1e-12);
+    EXPECT_EQ(bare.tracer->counts().reflected, 1u);
+    EXPECT_EQ(bare.tracer->counts().refracted, 2u);
+    EXPECT_EQ(r.transmittance, 0.0);
+}
+
+TEST(Refraction, nested_media_follow_the_list_not_the_normals) {
+    Interior water, glass;
+    water.ior = 1.2, glass.ior = 1.5;
+    // Two overlapping boxes: leaving the first one while in the second does not bend (it is not the last entered).
+    const Object first = object(Box{Vec3(-10, -2, -10), Vec3(10, 0, 10)}, texture(color(Rgb(1.0), 0, 1), plain()), water);
+    const Object second = object(Box{Vec3(-10, -3, -10), Vec3(10, -1, 10)}, texture(color(Rgb(1.0), 0, 1), plain()), glass);
+    const Object floor = object(floor_plane(-4), texture(checker(color({1, 0, 0}), color({0, 1, 0})), plain(Rgb(1.0))));
+    Scene s = scene_with({first, second, floor});
+    s.settings.max_trace_level = 12;
+    Traced t(std::move(s));
+    const Vec3 d = unit(Vec3(1, -1, 0));
+    const double s1 = d.x / 1.2, s2 = s1 * 1.2 / 1.5, s3 = s2 * 1.5;
+    const auto run = [](double sine, double depth) { return depth * sine / std::sqrt(1 - sine * sine); };
+    for (double x = -5.95; x < 5; x += 0.31) {
+        const double out_x = x + 1 + run(s1, 1) + run(s2, 2) + run(s3, 1);
+        const bool odd = static_cast<int>(std::floor(out_x)) % 2 != 0;
+        EXPECT_EQ(t.look({x, 1, 0.5}, d).rgb, odd ? Rgb(0, 1, 0) : Rgb(1, 0, 0)) << x;
+    }
+}
+
+TEST(Refraction, camera_inside_an_object_leaves_it_first) {
+    Interior glass;
+    glass.ior = 1.5;
+    Scene s = scene_with({object(Sphere{Vec3(0.0), 2.0}, texture(color({0.9, 0.8, 0.7}, 1.0), plain()), glass)}, {}, sky);
+    s.camera.location = {0, 1.9, 0};
+    Traced t(std::move(s));
+    ASSERT_EQ(t.world->camera_interiors.size(), 1u);
+    EXPECT_RGB_NEAR(t.look({0, 1.9, 0}, {0, -1, 0}).rgb, Rgb(0.9, 0.8, 0.7) * sky, 1e-12);
+    // Sideways the ray meets the sphere at asin(0.95) from its normal: total reflection for ever, hence black.
+    EXPECT_EQ(t.look({0, 1.9, 0}, {1, 0, 0}).rgb, Rgb(0.0));
+}
+
+TEST(Refraction, fading_media_dim_transmitted_light_only) {
+    Interior medium;
+    medium.fade_distance = 2, medium.fade_power = 2, medium.fade_color = {0.5, 0.2, 0.0};
+    const Object box = object(Box{Vec3(-9, -4, -9), Vec3(9, 0, 9)}, texture(color(Rgb(1.0), 0, 0.5), plain(Rgb(0.2))), medium);
+    Traced t(scene_with({box}, {}, sky));
+    const Rgb fade = medium.fade_color + (Rgb(1.0) - medium.fade_color) / 5.0;
+    EXPECT_RGB_NEAR(t.look({0, 1, 0}, {0, -1, 0}).rgb, Rgb(0.1) + 0.5 * (Rgb(0.1) + 0.5 * fade * sky), 1e-12);
+}
+
+TEST(Visibility, no_image_and_no_reflection) {
+    Object ball = object(Sphere{Vec3(0, 1, 0), 0.5}, texture(color({1, 0, 0}), plain(Rgb(1.0))));
+    const Object glass = object(Disc{Vec3(0, 3, 0), Vec3(0, 1, 0), 9, 0}, texture(color(Rgb(1.0), 0, 1), plain()));
+    const Object floor = object(floor_plane(), texture(color({0, 0, 1}), [] {
+                                    Finish f = mirror(Rgb(0.5), Rgb(0.5));
+                                    f.ambient = Rgb(1.0);
+                                    return f;
+                                }()));
+    ball.no_image = true;
+    Traced hidden(scene_with({ball, glass, floor}));
+    EXPECT_EQ(hidden.look({0, 4, 0}, {0, -1, 0}).rgb, Rgb(0.5, 0, 1)) << "unseen through glass, seen in the mirror";
+    ball.no_image = false;
+    ball.no_reflection = true;
+    Traced unmirrored(scene_with({ball, glass, floor}));
+    EXPECT_EQ(unmirrored.look({0, 4, 0}, {0, -1, 0}).rgb, Rgb(1, 0, 0));
+    EXPECT_EQ(unmirrored.look({0, 0.2, 0}, {0, -1, 0}).rgb, Rgb(0, 0, 1));
+}
+
+TEST(Limits, deepest_recursion_and_endless_glass_fit_a_small_stack) {
+    Scene deep = facing_mirrors(0.001, 1.0);
+    deep.settings.max_trace_level = 256;
+    std::vector<Object> panes;
+    for (int i = 0; i < 5000; ++i) panes.push_back(object(floor_plane(-0.01 * i), texture(color(Rgb(1.0), 0, 1), plain(Rgb(1.0)))));
+    struct Result {
+        Traced mirrors, glass;
+        double mirrored = 0, through = 0;
+    } result{Traced(std::move(deep)), Traced(scene_with(panes, {}, sky))};
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, 512 * 1024);
+    pthread_t thread;
+    ASSERT_EQ(pthread_create(
+                  &thread, &attributes,
+                  [](void* p) -> void* {
+                      auto& r = *static_cast<Result*>(p);
+                      r.mirrored = r.mirrors.look({0, 0.5, 0}, {0.1, -1, 0}).rgb.g;
+                      r.through = r.glass.look({0, 1, 0}, {0.1, -1, 0}).rgb.g;
+                      return nullptr;
+                  },
+                  &result),
+              0);
+    pthread_join(thread, nullptr);
+    EXPECT_NEAR(result.mirrored, 0.256, 1e-12);
+    EXPECT_NEAR(result.through, 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace rt
