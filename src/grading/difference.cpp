@@ -30,6 +30,7 @@ public:
     Quanta(const StoredImage& image, bool encode) : image_(image), encode_(encode), channels_(static_cast<std::size_t>(image.channels)) {
         for (int value = 0; value <= image.max_value && image.max_value > 0; ++value) {
             table_.push_back(static_cast<float>(std::floor(value * full_scale / image.max_value + 0.5)));
+            linear_.push_back(static_cast<float>(srgb_decode(static_cast<double>(value) / image.max_value)));
         }
     }
     bool has_alpha() const { return channels_ == 2 || channels_ == 4; }
@@ -42,9 +43,18 @@ public:
                 has_alpha() ? quantum(value[channels_ - 1]) : opaque};
     }
 
+    /// Colours without alpha as linear light in 0..1, what FLIP looks at.
+    void put_linear(std::size_t pixel, LinearPlanes& planes) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const float value = image_.values[pixel * channels_ + (channels_ < 3 ? 0 : i)];
+            planes[i].values[pixel] = linear_.empty() ? std::clamp(value > 0.0f ? value : 0.0f, 0.0f, 1.0f) : linear_[index(value)];
+        }
+    }
+
 private:
+    std::size_t index(float value) const { return static_cast<std::size_t>(std::clamp(value, 0.0f, static_cast<float>(image_.max_value))); }
     float quantum(float value) const {
-        if (!table_.empty()) return table_[static_cast<std::size_t>(std::clamp(value, 0.0f, static_cast<float>(image_.max_value)))];
+        if (!table_.empty()) return table_[index(value)];
         constexpr double limit = std::numeric_limits<float>::max();
         return static_cast<float>(std::clamp(static_cast<double>(value) * full_scale, -limit, limit));
     }
@@ -55,7 +65,7 @@ private:
     const StoredImage& image_;
     bool encode_;
     std::size_t channels_;
-    std::vector<float> table_;
+    std::vector<float> table_, linear_;
 };
 
 /// What ImageMagick 6 counts as a differing pixel (`compare -metric AE -fuzz N%`): any one of red, green and blue differs by the fuzz
@@ -116,6 +126,7 @@ public:
         }
         largest_.push_back(largest);
     }
+    void add_equal() { largest_.push_back(0.0); }
     void finish(Difference& result) {
         const double count = static_cast<double>(largest_.size() * channels_);
         result.mean_absolute = absolute_ / count;
@@ -130,26 +141,6 @@ private:
     std::size_t channels_;
     double absolute_ = 0.0, squares_ = 0.0;
     std::vector<double> largest_;
-};
-
-/// Fills the planes that FLIP looks at: colours without alpha, as linear light in 0..1.
-class LinearView {
-public:
-    LinearView(int width, int height, bool stored_linear) : planes{Plane(width, height), Plane(width, height), Plane(width, height)} {
-        if (stored_linear) return;
-        for (int i = 0; i <= static_cast<int>(full_scale); ++i) table_.push_back(static_cast<float>(srgb_decode(i / full_scale)));
-    }
-    void set(std::size_t pixel, const Quanta::Rgba& rgba) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const float clamped = rgba[i] > 0.0f ? std::min(rgba[i], static_cast<float>(full_scale)) : 0.0f;
-            planes[i].values[pixel] =
-                table_.empty() ? clamped / static_cast<float>(full_scale) : table_[static_cast<std::size_t>(clamped + 0.5f)];
-        }
-    }
-    LinearPlanes planes;
-
-private:
-    std::vector<float> table_;
 };
 
 bool comparable(const StoredImage& a, const StoredImage& b) {
@@ -168,20 +159,25 @@ Difference compare(const StoredImage& reference, const StoredImage& test, const 
     const Quanta a(reference, reference.max_value == 0 && !both_linear), b(test, test.max_value == 0 && !both_linear);
     FuzzyCounter counters[] = {{options.fuzz_percent, a.has_alpha()}, {0.0, a.has_alpha()}, {1.0, a.has_alpha()}};
     Totals totals(a.has_alpha() || b.has_alpha() ? 4 : 3, result.pixels);
-    LinearView linear_a(reference.width, reference.height, both_linear), linear_b(test.width, test.height, both_linear);
+    const Plane blank(reference.width, reference.height);
+    LinearPlanes linear_a{blank, blank, blank}, linear_b = linear_a;
     for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
         const Quanta::Rgba pa = a.at(pixel), pb = b.at(pixel);
-        for (FuzzyCounter& counter : counters) counter.add(pa, pb);
-        totals.add(pa, pb, result, reference.width);
-        linear_a.set(pixel, pa);
-        linear_b.set(pixel, pb);
+        if (pa == pb) {
+            totals.add_equal();
+        } else {
+            for (FuzzyCounter& counter : counters) counter.add(pa, pb);
+            totals.add(pa, pb, result, reference.width);
+        }
+        a.put_linear(pixel, linear_a);
+        b.put_linear(pixel, linear_b);
     }
     result.differing = counters[0].count;
     result.differing_0 = counters[1].count;
     result.differing_1 = counters[2].count;
     totals.finish(result);
 
-    const FlipSummary error = summarise(flip(linear_a.planes, linear_b.planes));
+    const FlipSummary error = summarise(flip(linear_a, linear_b));
     result.flip_mean = error.mean;
     result.flip_mean_exact = error.mean_exact;
     result.flip_median = error.median;

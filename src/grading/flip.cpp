@@ -1,7 +1,9 @@
 #include "grading/flip.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace rt {
@@ -10,6 +12,7 @@ namespace {
 
 struct Triple {
     float x, y, z;
+    bool operator==(const Triple&) const = default;
 };
 
 // Linear sRGB to CIE XYZ under D65, as exact quotients (the primaries' and the white point's chromaticities are short decimals), each row
@@ -66,10 +69,21 @@ Triple shown_rgb(const Triple& opponent) {
     return {std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)};
 }
 
+/// Cube root of a number in 0.008..2 to one unit in the last place: a guess from the exponent, then two steps of Halley's iteration
+/// (cubic convergence). The standard library's takes most of the time of a comparison.
+float cube_root(float t) {
+    float x = std::bit_cast<float>(std::bit_cast<std::uint32_t>(t) / 3 + 0x2a5137a0u);
+    for (int i = 0; i < 2; ++i) {
+        const float cube = x * x * x;
+        x *= (cube + 2.0f * t) / (2.0f * cube + t);
+    }
+    return x;
+}
+
 /// The cube root of CIE L*a*b* with its linear part near black.
 float lab_root(float t) {
     constexpr float delta = 6.0f / 29.0f;
-    return t > delta * delta * delta ? std::cbrt(t) : t / (3.0f * delta * delta) + 4.0f / 29.0f;
+    return t > delta * delta * delta ? cube_root(t) : t / (3.0f * delta * delta) + 4.0f / 29.0f;
 }
 
 /// CIE L*a*b* with the Hunt effect: colours fade with lightness, a* and b* are scaled by L* / 100.
@@ -154,49 +168,73 @@ struct FeatureKernels {
     }
 };
 
-/// One picture filtered along its rows, ready to be filtered along its columns row by row.
+/// One picture on its way from top to bottom: rows are filtered along x as they come into reach, then along y where they are looked at.
 class Filtered {
 public:
     Filtered(const LinearPlanes& rgb, const SensitivityKernels& colour, const FeatureKernels& feature)
-        : colour_(colour), feature_(feature) {
-        const int width = rgb[0].width, height = rgb[0].height;
-        Plane opponent[3] = {Plane(width, height), Plane(width, height), Plane(width, height)};
-        for (std::size_t i = 0; i < opponent[0].values.size(); ++i) {
-            const Triple v = yycxcz({rgb[0].values[i], rgb[1].values[i], rgb[2].values[i]});
-            opponent[0].values[i] = v.x;
-            opponent[1].values[i] = v.y;
-            opponent[2].values[i] = v.z;
-        }
-        achromatic_ = filter_rows(opponent[0], colour.achromatic);
-        red_green_ = filter_rows(opponent[1], colour.red_green);
-        for (int i = 0; i < 2; ++i) blue_yellow_[i] = filter_rows(opponent[2], colour.blue_yellow[i]);
-        for (float& value : opponent[0].values) value = value * (1.0f / 116.0f) + 16.0f / 116.0f;
-        gauss_ = filter_rows(opponent[0], feature.gauss);
-        edge_ = filter_rows(opponent[0], feature.edge);
-        point_ = filter_rows(opponent[0], feature.point);
-    }
+        : rgb_(rgb),
+          colour_(colour),
+          feature_(feature),
+          windows_(7, RowWindow(rgb[0].width, rgb[0].height, taps(colour))),
+          opponent_(3, PaddedRow(rgb[0].width, taps(colour) / 2)) {}
 
-    /// Finishes row `y`; the values of its pixels can then be asked for.
+    /// Rows must be selected from top to bottom; the values of the row's pixels can then be asked for.
     void select_row(int y) {
-        filter_column(achromatic_, y, colour_.achromatic, row_[0]);
-        filter_column(red_green_, y, colour_.red_green, row_[1]);
-        filter_column(blue_yellow_[0], y, colour_.blue_yellow[0], row_[2]);
-        filter_column(blue_yellow_[1], y, colour_.blue_yellow[1], row_[3]);
-        filter_column(edge_, y, feature_.gauss, row_[4]);
-        filter_column(gauss_, y, feature_.edge, row_[5]);
-        filter_column(point_, y, feature_.gauss, row_[6]);
-        filter_column(gauss_, y, feature_.point, row_[7]);
+        const int reach = taps(colour_) / 2, last = std::min(y + reach, rgb_[0].height - 1);
+        for (next_ = std::max(next_, y - reach); next_ <= last; ++next_) filter_row(next_);
+        const Kernel* kernels[] = {&colour_.achromatic, &colour_.red_green, &colour_.blue_yellow[0], &colour_.blue_yellow[1],
+                                   &feature_.gauss,     &feature_.edge,     &feature_.gauss,         &feature_.point};
+        const Window sources[] = {achromatic, red_green, blue_yellow_0, blue_yellow_1, edges, gauss, points, gauss};
+        for (std::size_t i = 0; i < 8; ++i) windows_[sources[i]].filter(y, *kernels[i], row_[i]);
     }
     Triple opponent(std::size_t x) const { return {row_[0][x], row_[1][x], row_[2][x] + row_[3][x]}; }
     float edge(std::size_t x) const { return std::sqrt(row_[4][x] * row_[4][x] + row_[5][x] * row_[5][x]); }
     float point(std::size_t x) const { return std::sqrt(row_[6][x] * row_[6][x] + row_[7][x] * row_[7][x]); }
 
 private:
+    enum Window { achromatic, red_green, blue_yellow_0, blue_yellow_1, gauss, edges, points };
+    static int taps(const SensitivityKernels& colour) { return static_cast<int>(colour.achromatic.size()); }
+
+    void filter_row(int y) {
+        const std::size_t width = static_cast<std::size_t>(rgb_[0].width);
+        const float *r = rgb_[0].row(y), *g = rgb_[1].row(y), *b = rgb_[2].row(y);
+        float *yy = opponent_[0].begin(), *cx = opponent_[1].begin(), *cz = opponent_[2].begin();
+        for (std::size_t x = 0; x < width; ++x) {
+            const Triple v = yycxcz({r[x], g[x], b[x]});
+            yy[x] = v.x;
+            cx[x] = v.y;
+            cz[x] = v.z;
+        }
+        for (PaddedRow& row : opponent_) row.pad();
+        opponent_[0].filter(colour_.achromatic, windows_[achromatic].row(y));
+        opponent_[1].filter(colour_.red_green, windows_[red_green].row(y));
+        opponent_[2].filter(colour_.blue_yellow[0], windows_[blue_yellow_0].row(y));
+        opponent_[2].filter(colour_.blue_yellow[1], windows_[blue_yellow_1].row(y));
+        // Features are found in the luminance Y = (Yy + 16) / 116.
+        for (std::size_t x = 0; x < width; ++x) yy[x] = yy[x] * (1.0f / 116.0f) + 16.0f / 116.0f;
+        opponent_[0].pad();
+        opponent_[0].filter(feature_.gauss, windows_[gauss].row(y));
+        opponent_[0].filter(feature_.edge, windows_[edges].row(y));
+        opponent_[0].filter(feature_.point, windows_[points].row(y));
+    }
+
+    const LinearPlanes& rgb_;
     const SensitivityKernels& colour_;
     const FeatureKernels& feature_;
-    Plane achromatic_, red_green_, blue_yellow_[2], gauss_, edge_, point_;
+    std::vector<RowWindow> windows_;
+    std::vector<PaddedRow> opponent_;
     std::vector<float> row_[8];
+    int next_ = 0;
 };
+
+/// Whether any pixel within `reach` rows of row `y` differs; where none does, the error is 0.
+bool differs_near(const LinearPlanes& a, const LinearPlanes& b, int y, int reach) {
+    const int first = std::max(y - reach, 0), last = std::min(y + reach, a[0].height - 1);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!std::equal(a[i].row(first), a[i].row(last) + a[i].width, b[i].row(first))) return true;
+    }
+    return false;
+}
 
 /// The value at which the running sum of the sorted errors reaches `share` of their total.
 float weighted_percentile(const std::vector<float>& sorted, float total_error, float share) {
@@ -217,11 +255,14 @@ Plane flip(const LinearPlanes& reference, const LinearPlanes& test) {
     Filtered a(reference, colour, feature), b(test, colour, feature);
     Plane error(reference[0].width, reference[0].height);
     for (int y = 0; y < error.height; ++y) {
+        if (!differs_near(reference, test, y, static_cast<int>(colour.achromatic.size()) / 2)) continue;
         a.select_row(y);
         b.select_row(y);
         float* row = error.row(y);
         for (std::size_t x = 0; x < static_cast<std::size_t>(error.width); ++x) {
-            const float difference = compressed_hyab(hunt_lab(shown_rgb(a.opponent(x))), hunt_lab(shown_rgb(b.opponent(x))));
+            const Triple opponent_a = a.opponent(x), opponent_b = b.opponent(x);
+            if (opponent_a == opponent_b) continue;
+            const float difference = compressed_hyab(hunt_lab(shown_rgb(opponent_a)), hunt_lab(shown_rgb(opponent_b)));
             const float feature_difference = std::max(std::fabs(a.edge(x) - b.edge(x)), std::fabs(a.point(x) - b.point(x)));
             row[x] = std::pow(redistributed(difference, largest), 1.0f - std::sqrt(feature_difference * std::sqrt(0.5f)));
         }
