@@ -1,6 +1,8 @@
 // parse(text) -> Scene: reads the scene language and evaluates it while reading, as POV-Ray does.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,11 +19,14 @@ struct ParseOptions {
     double clock = 0.0;
     double version = 0.0;  ///< +MV; 0: not given
     Rotation rotation = Rotation::povray;
-    bool lenient = false;  ///< known but unmodelled features are warnings instead of errors
-    bool collect_unmodelled = false;  ///< ... or only collected in Scene::unmodelled (for `requires`)
+    bool lenient = false;                               ///< known but unmodelled features are warnings instead of errors
+    bool collect_unmodelled = false;                    ///< ... or only collected in Scene::unmodelled (for `requires`)
     std::size_t max_file_bytes = std::size_t{1} << 30;  ///< per file
     int max_include_depth = 100;
-    int max_nesting = 1000;  ///< of blocks and parentheses
+    std::size_t max_includes = 1'000'000;  ///< `#include`s carried out, so that files which include each other twice end
+    int max_nesting = 1000;                ///< of blocks and parentheses
+    /// Where the text of an included path comes from, empty if there is none; unset: the file system.
+    std::function<std::optional<std::string>(const std::string& path)> read_include;
 };
 
 /// Reads `file` (its path is also its name in messages). Throws SceneError with POV-Ray's line, excerpt and caret; LimitError when a

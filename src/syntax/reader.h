@@ -44,14 +44,14 @@ public:
     bool at_block_end();
 
     // --- values (expression.cpp)
-    double parse_float();                      ///< a float factor chain as POV-Ray reads parameters; a vector is an error
-    bool parse_bool_or(bool when_absent);      ///< optional bool after a flag keyword: on, off, an expression, or nothing
-    bool at_expression();                      ///< could the next token begin a numeric expression?
-    Vec3 parse_vector();                       ///< a float promotes to all three
+    double parse_float();                  ///< a float factor chain as POV-Ray reads parameters; a vector is an error
+    bool parse_bool_or(bool when_absent);  ///< optional bool after a flag keyword: on, off, an expression, or nothing
+    bool at_expression();                  ///< could the next token begin a numeric expression?
+    Vec3 parse_vector();                   ///< a float promotes to all three
     Vec2 parse_vector2();
-    Number parse_number();                     ///< any size
+    Number parse_number();  ///< any size
     std::string parse_string();
-    void accept_comma();                       ///< commas between parameters are optional
+    void accept_comma();  ///< commas between parameters are optional
 
     // --- names
     /// The declared value of the identifier that comes next if it holds a T (the token is taken), else null.
@@ -84,11 +84,14 @@ public:
     Scene& scene();
     /// Language version in force here, e.g. 3.7; what `version` reads.
     double version() const;
+    bool version_stated() const;     ///< by a directive or an option
+    bool version_came_late() const;  ///< the first #version was not the first thing in the scene
     /// #default: the template of new textures and of objects without one.
     TextureLayers& default_texture();
 
+    struct State;  ///< internals (reader_state.h) for directives and expressions
+
 private:
-    struct State;
     std::unique_ptr<State> state_;
 };
 

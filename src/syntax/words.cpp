@@ -12,10 +12,9 @@ constexpr std::string_view spelling(std::string_view enumerator) {
     return enumerator;
 }
 
-constexpr std::array spellings{
-    std::string_view{},
+constexpr std::array spellings{std::string_view{},
 #define RT_SPELLING(name) spelling(#name),
-    RT_WORDS(RT_SPELLING)
+                               RT_WORDS(RT_SPELLING)
 #undef RT_SPELLING
 };
 

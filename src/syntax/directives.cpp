@@ -1,0 +1,124 @@
+// Directives, carried out as soon as they are met between two tokens.
+#include <fmt/format.h>
+
+#include "syntax/blocks.h"
+#include "syntax/expression.h"
+#include "syntax/reader_state.h"
+
+namespace rt {
+
+namespace {
+
+constexpr double newest_version = 3.7;
+constexpr double version_tolerance = 1e-6;
+
+}  // namespace
+
+void Reader::State::directive(const Span& hash) {
+    const NestingGuard guard(*this, hash);
+    Token name;
+    next_raw(name);
+    if (name.kind == Token::Kind::end) return;  // a lone '#' at the very end is nothing
+    Span place = hash;
+    place.end = name.span.end;
+    if (!name.is(Word::version)) anything_read = true;
+    switch (name.word) {
+        case Word::if_:
+        case Word::ifdef:
+        case Word::ifndef:
+            return begin_conditional(place, name.word);
+        case Word::else_:
+        case Word::elseif:
+            return else_branch(name.word, place);
+        case Word::end:
+            return end_conditional(place);
+        case Word::declare:
+        case Word::local:
+            return declare(name.word == Word::local);
+        case Word::undef:
+            return undefine(place);
+        case Word::macro:
+            return declare_macro(place);
+        case Word::include:
+            return include_directive(place);
+        case Word::default_:
+            return parse_default(reader);
+        case Word::version:
+            return set_version(place);
+        case Word::debug:
+        case Word::warning:
+        case Word::error:
+        case Word::render:
+        case Word::statistics:
+            return message_directive(name.word, place);
+        case Word::while_:
+        case Word::for_:
+        case Word::switch_:
+            return skip_loop(name.word, place);
+        case Word::fopen:
+        case Word::fclose:
+        case Word::read:
+        case Word::write:
+            return skip_file_directive(name.word, place);
+        case Word::break_:
+            reader.fail(place, "Invalid context for #break");
+        case Word::case_:
+        case Word::range:
+            reader.fail(place, "Mis-matched '#case' or '#range'.");
+        default:
+            reader.fail(name.span, fmt::format("Expected 'object or directive', {} found instead", reader.describe(name)));
+    }
+}
+
+void Reader::State::include_directive(const Span& place) {
+    const Span first = reader.peek().span;
+    if (reader.peek().kind == Token::Kind::end) reader.fail(place, "Expecting a string after INCLUDE.");
+    const std::string name = reader.parse_string();
+    include(since(first), name);
+}
+
+void Reader::State::message_directive(Word w, const Span& place) {
+    const std::string message = reader.parse_string();
+    if (w == Word::error) reader.fail(place, fmt::format("Parse halted by #error directive: {}", message));
+    if (w == Word::warning) return reader.warn(place, message);
+    if (w != Word::debug)
+        reader.warn(place, "#render and #statistics streams are no longer available. Redirecting output to #debug stream.");
+    messages(message);
+}
+
+/// Restoring a saved version sets it too: the scene then counts as one that states its version.
+void Reader::State::set_version(const Span& place) {
+    if (!version_stated && anything_read) version_late = true;
+    const double stated = reader.parse_float();
+    if (stated > newest_version + version_tolerance)
+        reader.fail(place, fmt::format("Your scene file requires POV-Ray version {:g} or later!", stated));
+    version = stated;
+    version_stated = true;
+    scene.language_version = stated;
+    if (!reader.accept(';'))
+        reader.warn_possible(reader.peek().span, "All #version and #declares of float, vector, and color require semi-colon ';' at end.");
+}
+
+void Reader::State::skip_loop(Word w, const Span& place) {
+    reader.unmodelled(place, fmt::format("#{}", text(w)));
+    Span hash;
+    skip_until(place, false, hash);
+}
+
+void Reader::State::skip_file_directive(Word w, const Span& place) {
+    reader.unmodelled(place, fmt::format("#{}", text(w)));
+    take_name();
+    if (last_word == Word::none && w == Word::fopen) {
+        reader.parse_string();
+        reader.take();
+    } else if (w == Word::read || w == Word::write) {
+        for (std::size_t depth = 1; depth != 0;) {
+            const Token token = take_name();
+            if (token.is('(')) ++depth;
+            if (token.is(')')) --depth;
+            if (token.kind == Token::Kind::end) reader.fail(place, "Expected ')', End of File found instead");
+        }
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,235 @@
+#include "syntax/lexer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+
+namespace rt {
+
+namespace {
+
+enum CharClass : std::uint8_t { illegal, blank, digit, letter, other };
+
+constexpr std::array<CharClass, 256> make_classes() {
+    std::array<CharClass, 256> classes{};
+    for (int c = 33; c < 127; ++c) classes[c] = other;
+    for (int c = '0'; c <= '9'; ++c) classes[c] = digit;
+    for (int c = 'a'; c <= 'z'; ++c) classes[c] = letter;
+    for (int c = 'A'; c <= 'Z'; ++c) classes[c] = letter;
+    classes['_'] = letter;
+    for (const char c : {' ', '\t', '\n', '\r', '\v', '\f'}) classes[c] = blank;
+    return classes;
+}
+
+constexpr auto classes = make_classes();
+
+CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
+
+/// Only this exact prefix makes a line comment a token.
+constexpr std::string_view choice_prefix = "//! raytrace:";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// End of the literal that begins at `at`: digits with at most one point, then an exponent whose digits may be missing, as POV-Ray reads
+/// it.
+const char* literal_end(const char* at, const char* end) {
+    const auto skip_digits = [&] {
+        while (at != end && class_of(*at) == digit) ++at;
+    };
+    skip_digits();
+    if (at != end && *at == '.') {
+        ++at;
+        skip_digits();
+    }
+    if (at != end && (*at == 'e' || *at == 'E')) {
+        ++at;
+        if (at != end && (*at == '+' || *at == '-')) ++at;
+        skip_digits();
+    }
+    return at;
+}
+
+double literal_value(const char* begin, const char* end) {
+    double value = 0.0;
+    const auto result = std::from_chars(begin, end, value);
+    if (result.ec == std::errc::result_out_of_range) return std::strtod(std::string(begin, end).c_str(), nullptr);
+    return value;
+}
+
+}  // namespace
+
+Lexer::Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin, std::uint32_t end)
+    : sources_(&sources), file_(file), text_(sources.file(file).text.data()) {
+    const std::string& text = sources.file(file).text;
+    at_ = text_ + std::min<std::size_t>(begin, text.size());
+    end_ = text_ + std::min<std::size_t>(end, text.size());
+    if (begin == 0 && text.starts_with(byte_order_mark)) at_ = std::min(at_ + byte_order_mark.size(), end_);
+}
+
+void Lexer::next(Token& token) {
+    token.word = Word::none;
+    if (skip_blanks(token)) return;
+    if (at_ == end_) {
+        token.kind = Token::Kind::end;
+        token.span = span(at_, at_);
+        return;
+    }
+    const char* const begin = at_;
+    switch (class_of(*at_)) {
+        case digit:
+            scan_number(token);
+            break;
+        case letter:
+            scan_name(token);
+            break;
+        case other:
+            if (*at_ == '"')
+                scan_string(token);
+            else if (*at_ == '.' && at_ + 1 != end_ && class_of(at_[1]) == digit)
+                scan_number(token);
+            else
+                scan_symbol(token);
+            break;
+        default:
+            fail(at_, at_ + 1, fmt::format("Illegal character in input file, value is {:02x}.", static_cast<unsigned char>(*at_)));
+    }
+    token.span = span(begin, at_);
+}
+
+/// Moves to the next byte of a token; true if a directive comment was met on the way and is now `token`.
+bool Lexer::skip_blanks(Token& token) {
+    while (at_ != end_) {
+        if (class_of(*at_) == blank) {
+            ++at_;
+        } else if (*at_ == '/' && at_ + 1 != end_ && at_[1] == '/') {
+            const char* const begin = at_;
+            skip_line_comment();
+            const std::string_view comment(begin, at_ - begin);
+            if (!comment.starts_with(choice_prefix)) continue;
+            token.kind = Token::Kind::choice;
+            token.text = comment.substr(choice_prefix.size());
+            token.span = span(begin, at_);
+            return true;
+        } else if (*at_ == '/' && at_ + 1 != end_ && at_[1] == '*') {
+            skip_block_comment();
+        } else {
+            return false;
+        }
+    }
+    return false;
+}
+
+void Lexer::skip_line_comment() {
+    at_ = std::find(at_, end_, '\n');
+    if (at_[-1] == '\r') --at_;
+}
+
+void Lexer::skip_block_comment() {
+    const char* const begin = at_;
+    at_ += 2;
+    for (std::size_t depth = 1; depth != 0;) {
+        if (end_ - at_ < 2) fail(begin, begin + 2, "No */ closing comment found.");
+        if (at_[0] == '*' && at_[1] == '/') {
+            --depth;
+            at_ += 2;
+        } else if (at_[0] == '/' && at_[1] == '*') {
+            ++depth;
+            at_ += 2;
+        } else {
+            ++at_;
+        }
+    }
+}
+
+void Lexer::scan_number(Token& token) {
+    const char* const begin = at_;
+    at_ = literal_end(at_, end_);
+    // A second point is a mistake unless the exponent already ended the literal.
+    if (at_ != end_ && *at_ == '.' && std::find(begin, at_, '.') != at_)
+        fail(begin, at_ + 1, "Unexpected additional '.' in floating-point number");
+    token.kind = Token::Kind::number;
+    token.number = literal_value(begin, at_);
+}
+
+void Lexer::scan_string(Token& token) {
+    const char* const begin = at_++;
+    while (at_ != end_ && *at_ != '"') at_ += *at_ == '\\' && at_ + 1 != end_ ? 2 : 1;
+    if (at_ == end_) fail(begin, begin + 1, "No end quote for string.");
+    token.kind = Token::Kind::string;
+    token.text = std::string_view(begin + 1, at_ - begin - 1);
+    ++at_;
+}
+
+void Lexer::scan_name(Token& token) {
+    const char* const begin = at_;
+    while (at_ != end_ && (class_of(*at_) == letter || class_of(*at_) == digit)) ++at_;
+    token.text = std::string_view(begin, at_ - begin);
+    token.word = find_word(token.text);
+    token.kind = token.word == Word::none ? Token::Kind::identifier : Token::Kind::word;
+}
+
+void Lexer::scan_symbol(Token& token) {
+    token.kind = Token::Kind::symbol;
+    token.symbol = *at_++;
+    if (at_ == end_ || *at_ != '=') return;
+    if (token.symbol == '!' || token.symbol == '<' || token.symbol == '>') {
+        token.symbol = token.symbol == '!' ? 'N' : token.symbol == '<' ? 'L' : 'G';
+        ++at_;
+    }
+}
+
+bool Lexer::scan_plain_vector(Vec3& v) {
+    const char* at = at_;
+    const auto skip_to = [&](char symbol) {
+        while (at != end_ && class_of(*at) == blank) ++at;
+        if (at == end_ || *at != symbol) return false;
+        ++at;
+        return true;
+    };
+    if (!skip_to('<') || !scan_plain_literal(at, v[0]) || !skip_to(',') || !scan_plain_literal(at, v[1]) || !skip_to(',') ||
+        !scan_plain_literal(at, v[2]) || !skip_to('>') || !ends_expression(at))
+        return false;
+    at_ = at;
+    return true;
+}
+
+bool Lexer::scan_plain_number(double& number) {
+    const char* at = at_;
+    if (!scan_plain_literal(at, number) || !ends_expression(at)) return false;
+    at_ = at;
+    return true;
+}
+
+/// A sign and a literal; digits only, so that everything unusual takes the common way.
+bool Lexer::scan_plain_literal(const char*& at, double& number) const {
+    while (at != end_ && class_of(*at) == blank) ++at;
+    const bool negative = at != end_ && *at == '-';
+    const char* const begin = at + (negative ? 1 : 0);
+    if (begin == end_ || (class_of(*begin) != digit && *begin != '.')) return false;
+    const auto result = std::from_chars(begin, end_, number);
+    if (result.ec != std::errc{}) return false;
+    at = result.ptr;
+    if (negative) number = -number;
+    return at == end_ || (class_of(*at) != letter && *at != '.');
+}
+
+/// True if what follows `at` is neither an operator nor anything that has to be looked at more closely.
+bool Lexer::ends_expression(const char* at) const {
+    while (at != end_ && class_of(*at) == blank) ++at;
+    if (at == end_) return false;
+    const CharClass c = class_of(*at);
+    return c == letter || c == digit || *at == ',' || *at == '}' || *at == '{' || *at == '<' || *at == ';';
+}
+
+void Lexer::fail(const char* begin, const char* end, std::string_view text) const {
+    throw SceneError(sources_->describe(span(begin, end), "Parse Error", text));
+}
+
+Span Lexer::span(const char* begin, const char* end) const {
+    return {file_, static_cast<std::uint32_t>(begin - text_), static_cast<std::uint32_t>(end - text_)};
+}
+
+}  // namespace rt

@@ -1,0 +1,51 @@
+// Characters to tokens, one at a time, from any place of a file.
+#pragma once
+
+#include "core/source.h"
+#include "core/vec.h"
+#include "syntax/token.h"
+
+namespace rt {
+
+/// Scans a piece of a file. Copies are positions: to replay a loop or a macro, keep one or call `seek`.
+/// A comment is skipped; a directive begins with the symbol '#', whose word is the next token.
+class Lexer {
+public:
+    /// Scans bytes [begin, end) of `file`; `end` beyond the text means the whole of it. A byte order mark at the file's start is skipped.
+    Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin = 0, std::uint32_t end = Span::none);
+
+    /// The next token; Kind::end at the end, as often as it is asked. Throws SceneError for bytes, comments, strings and
+    /// numbers that are no token.
+    void next(Token& token);
+
+    /// Fast path of number-heavy files: reads `<a, b, c>` of plain literals if exactly that comes next and nothing after it
+    /// could continue the expression; otherwise reads nothing and returns false.
+    bool scan_plain_vector(Vec3& v);
+    /// The same for one plain number.
+    bool scan_plain_number(double& number);
+
+    std::uint32_t position() const { return static_cast<std::uint32_t>(at_ - text_); }
+    void seek(std::uint32_t position) { at_ = text_ + position; }
+    std::uint32_t file() const { return file_; }
+
+private:
+    bool skip_blanks(Token& token);
+    void skip_line_comment();
+    void skip_block_comment();
+    void scan_number(Token& token);
+    void scan_string(Token& token);
+    void scan_name(Token& token);
+    void scan_symbol(Token& token);
+    bool scan_plain_literal(const char*& at, double& number) const;
+    bool ends_expression(const char* at) const;
+    [[noreturn]] void fail(const char* begin, const char* end, std::string_view text) const;
+    Span span(const char* begin, const char* end) const;
+
+    const Sources* sources_;
+    std::uint32_t file_;
+    const char* text_;
+    const char* at_;
+    const char* end_;
+};
+
+}  // namespace rt

@@ -1,0 +1,103 @@
+// Values as blocks read them: whatever comes out is finite.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "syntax/expression.h"
+#include "syntax/word_groups.h"
+
+namespace rt {
+
+namespace {
+
+/// POV-Ray renders something with an infinite radius; nobody wants that picture.
+void require_finite(Reader::State& state, const Span& first, double x) {
+    if (!std::isfinite(x)) state.reader.fail(state.since(first), fmt::format("Expected 'finite number', {} found instead", x));
+}
+
+}  // namespace
+
+double Reader::parse_float() {
+    double x;
+    if (!state_->has_ahead && state_->scan_plain_number(x)) return x;
+    const Span first = peek().span;
+    x = Expression(*state_).sum_float();
+    require_finite(*state_, first, x);
+    return x;
+}
+
+bool Reader::parse_bool_or(bool when_absent) { return at_expression() ? is_true(parse_float()) : when_absent; }
+
+bool Reader::at_expression() {
+    const Token& token = peek();
+    switch (token.kind) {
+        case Token::Kind::number:
+            return true;
+        case Token::Kind::identifier: {
+            const Value* const value = find(token.text);
+            return value && std::holds_alternative<Number>(*value);
+        }
+        case Token::Kind::word: {
+            const WordGroup group = group_of(token.word);
+            return group == WordGroup::float_function || group == WordGroup::vector_function || token.is(Word::t) || token.is(Word::u) ||
+                   token.is(Word::v);
+        }
+        case Token::Kind::symbol:
+            return token.is('<') || token.is('(') || token.is('-') || token.is('+') || token.is('!');
+        default:
+            return false;
+    }
+}
+
+Vec3 Reader::parse_vector() {
+    Vec3 v;
+    if (!state_->has_ahead && state_->scan_plain_vector(v)) return v;
+    const Span first = peek().span;
+    v = Expression(*state_).sum_vector();
+    for (int i = 0; i < 3; ++i) require_finite(*state_, first, v[i]);
+    return v;
+}
+
+Vec2 Reader::parse_vector2() {
+    const Span first = peek().span;
+    const Number n = parse_number();
+    if (n.size == 1) return Vec2(n.v[0]);
+    if (n.size > 3) fail(state_->since(first), "Vector expected but color expression found.");
+    return {n.v[0], n.v[1]};
+}
+
+Number Reader::parse_number() {
+    const Span first = peek().span;
+    const Number n = Expression(*state_).sum();
+    for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
+    return n;
+}
+
+std::string Reader::parse_string() { return Expression(*state_).string(); }
+
+void Reader::accept_comma() { accept(','); }
+
+bool Reader::State::scan_plain_number(double& x) {
+    Lexer& lexer = frames.back().lexer;
+    const std::uint32_t begin = lexer.position();
+    if (!lexer.scan_plain_number(x)) return false;
+    note_scanned(begin);
+    return true;
+}
+
+bool Reader::State::scan_plain_vector(Vec3& v) {
+    Lexer& lexer = frames.back().lexer;
+    const std::uint32_t begin = lexer.position();
+    if (!lexer.scan_plain_vector(v)) return false;
+    note_scanned(begin);
+    return true;
+}
+
+void Reader::State::note_scanned(std::uint32_t begin) {
+    const Lexer& lexer = frames.back().lexer;
+    last = {lexer.file(), begin, lexer.position()};
+    last_word = Word::none;
+    anything_read = true;
+}
+
+}  // namespace rt
