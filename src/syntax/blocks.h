@@ -14,19 +14,27 @@ std::optional<Value> parse_declared_block(Reader& reader);
 /// `#default { ... }`; the next token is '{'.
 void parse_default(Reader& reader);
 
-PigmentColor parse_color(Reader& reader);  ///< every form of a colour, with or without `color`
-bool at_color(Reader& reader);             ///< does a colour keyword or a colour identifier come next?
+PigmentColor parse_color(Reader& reader);  ///< every form of a colour, with or without `color`; a bare float fills all five channels
+Rgb parse_rgb(
+    Reader& reader);  ///< where only red, green and blue count: filter and transmit are dropped with a warning; black if none is there
+bool at_color(Reader& reader);  ///< does a colour keyword or a colour identifier come next?
 Camera parse_camera(Reader& reader);
 Light parse_light(Reader& reader);
+void transform_light(Reader& reader, const Span& place, Light& light, const Transform& t);
 void parse_global_settings(Reader& reader);
-Pigment parse_pigment(Reader& reader);
+// Each of these starts from `base` unless the block begins with a declared name.
+Pigment parse_pigment(Reader& reader, Pigment base);
 Finish parse_finish(Reader& reader, Finish base);
-TextureLayers parse_texture(Reader& reader);
 Shared<Interior> parse_interior(Reader& reader, Shared<Interior> base);
-MaterialValue parse_material(Reader& reader);
+MaterialValue parse_material(Reader& reader, MaterialValue base);
+/// `texture { }`: appends its layers to `layers`; an empty optional means that there is no texture yet.
+void parse_texture(Reader& reader, std::optional<TextureLayers>& layers);
 /// Any of translate, rotate, scale, matrix, transform at the next token; empty if none is there.
 std::optional<Transform> accept_transform(Reader& reader);
-/// An object statement whose word is next (sphere ... mesh2, object, or a declared object's name); empty if there is none.
-std::optional<ObjectValue> accept_object(Reader& reader);
+/// What an object statement places.
+using Placeable = std::variant<ObjectValue, Light>;
+/// An object statement whose word is next (sphere ... mesh2, object, light_source, or a declared object's or light's name); empty if
+/// there is none.
+std::optional<Placeable> accept_object(Reader& reader);
 
 }  // namespace rt

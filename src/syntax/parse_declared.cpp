@@ -1,0 +1,69 @@
+// The blocks that `#declare NAME =` may name.
+#include "syntax/blocks.h"
+#include "syntax/parameters.h"
+#include "syntax/texture_layers.h"
+#include "syntax/unmodelled.h"
+
+namespace rt {
+
+namespace {
+
+/// One texture or several: they are the layers of one value.
+TextureLayers parse_layers(Reader& reader) {
+    std::optional<TextureLayers> layers;
+    do parse_texture(reader, layers);
+    while (reader.accept(Word::texture));
+    return *layers;
+}
+
+/// Blocks whose value is not modelled. The name then stands for nothing, which only what is skipped as well can use.
+bool is_unmodelled_value(Word w) {
+    switch (w) {
+        case Word::color_map:
+        case Word::colour_map:
+        case Word::density:
+        case Word::density_map:
+        case Word::normal:
+        case Word::normal_map:
+        case Word::pigment_map:
+        case Word::slope_map:
+        case Word::texture_map:
+            return true;
+        default:
+            return is_unmodelled_item(w);
+    }
+}
+
+std::optional<Value> parse_material_block(Reader& reader) {
+    if (reader.accept(Word::pigment)) return parse_pigment(reader, default_pigment(reader));
+    if (reader.accept(Word::finish)) return parse_finish(reader, std::get<PlainTexture>(reader.default_texture()->back().content).finish);
+    if (reader.accept(Word::texture)) return parse_layers(reader);
+    if (reader.accept(Word::interior)) return parse_interior(reader, Interior{});
+    if (reader.accept(Word::material)) return parse_material(reader, {});
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Value> parse_declared_block(Reader& reader) {
+    const Token next = reader.peek();
+    if (next.kind == Token::Kind::identifier) {
+        const Value* const held = reader.find(next.text);
+        if (!held) return std::nullopt;
+        Value copy = *held;
+        reader.take();
+        return copy;
+    }
+    if (next.kind != Token::Kind::word) return std::nullopt;
+    if (std::optional<Value> value = parse_material_block(reader)) return value;
+    if (reader.accept(Word::camera)) return parse_camera(reader);
+    if (next.is(Word::transform)) return accept_transform(reader);
+    if (std::optional<Placeable> object = accept_object(reader))
+        return std::visit([](auto&& held) { return Value(std::move(held)); }, std::move(*object));
+    if (!is_unmodelled_value(next.word)) return std::nullopt;
+    reader.take();
+    skip_unmodelled_block(reader, next);
+    return MaterialValue{};
+}
+
+}  // namespace rt

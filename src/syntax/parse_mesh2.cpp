@@ -1,0 +1,203 @@
+// mesh2 { } : vertex lists and faces of indices.
+#include <fmt/format.h>
+
+#include "syntax/parameters.h"
+#include "syntax/parse_shape.h"
+#include "syntax/unmodelled.h"
+
+namespace rt {
+
+namespace {
+
+constexpr MeshData::Face flat_face{MeshData::flat, MeshData::flat, MeshData::flat};
+
+struct Mesh2 {
+    MeshData data;
+    std::vector<char> kept;  ///< a stated face: 0 if it was degenerate and is left out
+    std::size_t textures = 0;
+};
+
+/// The shortest vector that a list can hold is one character and a blank.
+constexpr std::size_t least_bytes = 2;
+
+void parse_vectors(Reader& reader, std::string_view name, std::vector<Vec3>& vectors) {
+    reader.begin_block(name);
+    const std::size_t count = parse_count(reader);
+    vectors.clear();
+    vectors.reserve(reserve_limit(reader, count, least_bytes));
+    reader.accept_comma();
+    for (std::size_t i = 0; i < count; ++i) {
+        vectors.push_back(parse_finite_vector(reader));
+        reader.accept_comma();
+    }
+    reader.end_block();
+}
+
+void warn_duplicate(Reader& reader, bool duplicate, std::string_view name) {
+    if (duplicate) reader.warn(reader.peek().span, fmt::format("Duplicate {} block; ignoring previous block.", name));
+}
+
+void parse_normals(Reader& reader, std::vector<Vec3>& normals) {
+    reader.begin_block("normal_vectors");
+    const std::size_t count = parse_count(reader);
+    normals.clear();
+    normals.reserve(reserve_limit(reader, count, least_bytes));
+    reader.accept_comma();
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3 normal = parse_finite_vector(reader);
+        if (!(length(normal) > 0.0)) {
+            reader.warn(reader.peek().span, "Normal vector in mesh2 cannot be zero - changing it to <1,0,0>.");
+            normal = Vec3(1, 0, 0);
+        }
+        normals.push_back(unit(normal));
+        reader.accept_comma();
+    }
+    reader.end_block();
+}
+
+void skip_uv_vectors(Reader& reader) {
+    reader.begin_block("uv_vectors");
+    const std::size_t count = parse_count(reader);
+    reader.accept_comma();
+    for (std::size_t i = 0; i < count; ++i) {
+        reader.parse_vector2();
+        reader.accept_comma();
+    }
+    reader.end_block();
+}
+
+/// A list of textures for the faces is not modelled; its length is needed to read the indices.
+void skip_texture_list(Reader& reader, const Token& word, Mesh2& mesh) {
+    reader.unmodelled(word.span, "texture_list");
+    reader.begin_block("texture_list");
+    mesh.textures = parse_count(reader);
+    skip_to_block_end(reader);
+    reader.end_block();
+}
+
+/// Three indices below `size`, cut to whole numbers.
+MeshData::Face parse_indices(Reader& reader, std::size_t size, std::string_view out_of_range) {
+    const Vec3 stated = reader.parse_vector();
+    MeshData::Face face;
+    for (int i = 0; i < 3; ++i) {
+        const bool inside = stated[i] > -1.0 && stated[i] < static_cast<double>(size);
+        if (!inside) reader.fail(reader.peek().span, out_of_range);
+        face[i] = static_cast<std::uint32_t>(stated[i]);
+    }
+    return face;
+}
+
+/// A face may be followed by one texture index or three: as many as there are numbers before the next '<'.
+void skip_texture_indices(Reader& reader, const Mesh2& mesh) {
+    for (int i = 0; i < 3 && reader.at_expression() && !reader.peek().is('<'); ++i) {
+        const int index = parse_int(reader);
+        if (index < 0 || static_cast<std::size_t>(index) >= mesh.textures)
+            reader.fail(reader.peek().span, "Texture index out of range in mesh2.");
+        reader.accept_comma();
+    }
+}
+
+void parse_faces(Reader& reader, Mesh2& mesh) {
+    MeshData& data = mesh.data;
+    reader.begin_block("face_indices");
+    const std::size_t count = parse_count(reader);
+    reader.accept_comma();
+    if (count == 0) reader.fail(reader.peek().span, "No triangles in triangle mesh.");
+    const std::size_t expected = reserve_limit(reader, count, least_bytes);
+    data.faces.reserve(expected);
+    mesh.kept.reserve(expected);
+    for (std::size_t i = 0; i < count; ++i) {
+        const MeshData::Face face = parse_indices(reader, data.vertices.size(), "Mesh face index out of range.");
+        reader.accept_comma();
+        skip_texture_indices(reader, mesh);
+        const bool keep = !is_degenerate_triangle(data.vertices[face[0]], data.vertices[face[1]], data.vertices[face[2]]);
+        mesh.kept.push_back(keep);
+        if (keep) data.faces.push_back(face);
+    }
+    reader.end_block();
+}
+
+/// Normals of the first faces; those without stay flat.
+void parse_normal_indices(Reader& reader, Mesh2& mesh) {
+    MeshData& data = mesh.data;
+    reader.begin_block("normal_indices");
+    const std::size_t count = parse_count(reader);
+    if (count > mesh.kept.size()) reader.fail(reader.peek().span, "Number of normal indices cannot be more than the number of faces.");
+    reader.accept_comma();
+    if (count > 0) data.normal_faces.reserve(data.faces.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const MeshData::Face face = parse_indices(reader, data.normals.size(), "Mesh normal index out of range.");
+        if (mesh.kept[i]) data.normal_faces.push_back(face);
+        reader.accept_comma();
+    }
+    reader.end_block();
+    if (count > 0) data.normal_faces.resize(data.faces.size(), flat_face);
+}
+
+void skip_uv_indices(Reader& reader) {
+    reader.begin_block("uv_indices");
+    const std::size_t count = parse_count(reader);
+    reader.accept_comma();
+    for (std::size_t i = 0; i < count; ++i) {
+        reader.parse_vector();
+        reader.accept_comma();
+    }
+    reader.end_block();
+}
+
+/// The lists before the faces.
+void parse_lists(Reader& reader, Mesh2& mesh) {
+    for (;;) {
+        const Token next = reader.peek();
+        if (reader.accept(Word::vertex_vectors)) {
+            warn_duplicate(reader, !mesh.data.vertices.empty(), "vertex_vectors");
+            parse_vectors(reader, "vertex_vectors", mesh.data.vertices);
+            if (mesh.data.vertices.empty()) reader.fail(next.span, "No vertices in triangle mesh.");
+        } else if (reader.accept(Word::normal_vectors)) {
+            warn_duplicate(reader, !mesh.data.normals.empty(), "normal_vectors");
+            parse_normals(reader, mesh.data.normals);
+        } else if (reader.accept(Word::uv_vectors)) {
+            skip_uv_vectors(reader);
+        } else if (reader.accept(Word::texture_list)) {
+            skip_texture_list(reader, next, mesh);
+        } else {
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+ParsedShape parse_mesh2(Reader& reader) {
+    Mesh2 mesh;
+    parse_lists(reader, mesh);
+    MeshData& data = mesh.data;
+    if (data.vertices.empty()) reader.fail(reader.peek().span, "Vertex vectors not found in mesh2");
+    if (!reader.accept(Word::face_indices)) reader.fail_expected("face_indices");
+    parse_faces(reader, mesh);
+    bool has_normal_indices = false;
+    for (;;) {
+        if (reader.accept(Word::normal_indices)) {
+            has_normal_indices = true;
+            parse_normal_indices(reader, mesh);
+        } else if (reader.accept(Word::uv_indices)) {
+            skip_uv_indices(reader);
+        } else {
+            break;
+        }
+    }
+    const bool one_per_vertex = data.normals.size() == data.vertices.size();
+    if (!data.normals.empty() && !has_normal_indices && !one_per_vertex)
+        reader.fail(reader.peek().span, "Missing normal_indicies section in mesh2.");
+    if (data.normal_faces.empty() && !data.normals.empty()) {
+        if (one_per_vertex)
+            data.normal_faces = data.faces;
+        else
+            data.normals.clear();
+    }
+    if (reader.accept(Word::inside_vector)) parse_finite_vector(reader);
+    if (data.faces.empty()) return std::nullopt;
+    return Mesh{std::move(data)};
+}
+
+}  // namespace rt

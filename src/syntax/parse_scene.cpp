@@ -1,0 +1,91 @@
+// The statements of a file, and what is decided when it ends.
+#include "syntax/blocks.h"
+#include "syntax/choices.h"
+#include "syntax/parameters.h"
+#include "syntax/unmodelled.h"
+
+namespace rt {
+
+namespace {
+
+/// What the statements so far have placed.
+struct Placed {
+    bool camera = false;
+    bool anything = false;  ///< an object, even one that can never be hit, or a light
+};
+
+void place_objects(Reader& reader, ObjectValue value) {
+    for (Object& object : value.objects) {
+        if (!object.texture) object.texture = reader.default_texture();
+        reader.scene().objects.push_back(std::move(object));
+    }
+}
+
+void place_camera(Reader& reader, const Span& word, Placed& placed) {
+    if (placed.camera) reader.warn(word, "More than one camera in scene. Ignoring previous camera(s).");
+    placed.camera = true;
+    reader.scene().camera = parse_camera(reader);
+}
+
+void parse_background(Reader& reader) {
+    reader.begin_block("background");
+    PigmentColor color;
+    if (at_color(reader) || reader.at_expression()) color = parse_color(reader);
+    reader.end_block();
+    reader.scene().background = color;
+}
+
+void parse_statement(Reader& reader, Placed& placed) {
+    Scene& scene = reader.scene();
+    if (accept_choices(reader, scene.options)) return;
+    if (std::optional<Placeable> object = accept_object(reader)) {
+        placed.anything = true;
+        if (Light* light = std::get_if<Light>(&*object))
+            scene.lights.push_back(std::move(*light));
+        else
+            place_objects(reader, std::get<ObjectValue>(std::move(*object)));
+        return;
+    }
+    const Token next = reader.peek();
+    if (reader.accept(Word::camera)) {
+        place_camera(reader, next.span, placed);
+    } else if (reader.accept(Word::background)) {
+        parse_background(reader);
+    } else if (reader.accept(Word::global_settings)) {
+        parse_global_settings(reader);
+    } else if (next.kind == Token::Kind::word && is_unmodelled_item(next.word)) {
+        reader.take();
+        skip_unmodelled_block(reader, next);
+    } else {
+        reader.fail_expected("object or directive");
+    }
+}
+
+/// What the file stated decides; else the language version that is in force at its end, if one was ever set.
+void decide_gamma(Reader& reader) {
+    Gamma& gamma = reader.scene().settings.gamma;
+    if (gamma.kind != Gamma::Kind::legacy) return;
+    if (reader.scene().language_version >= 3.7) {
+        gamma = {Gamma::Kind::power, 1.0};
+        reader.warn_possible(
+            Span{},
+            "assumed_gamma not specified in this POV-Ray 3.7 or later scene. Future versions of POV-Ray may consider this a "
+            "fatal error. To avoid this warning, explicitly specify 'assumed_gamma 1.0' in the global_settings section. See "
+            "the documentation for more details.");
+    } else {
+        reader.warn(Span{},
+                    "assumed_gamma not specified, so gamma_correction is turned off for compatibility with this pre POV-Ray 3.7 scene. See "
+                    "the documentation for more details.");
+    }
+}
+
+}  // namespace
+
+void parse_scene(Reader& reader) {
+    Placed placed;
+    while (reader.peek().kind != Token::Kind::end) parse_statement(reader, placed);
+    if (!placed.anything) reader.warn(reader.peek().span, "No objects in scene.");
+    decide_gamma(reader);
+}
+
+}  // namespace rt

@@ -1,0 +1,143 @@
+#include "syntax/parse_shape.h"
+
+#include <algorithm>
+#include <array>
+
+#include "syntax/parameters.h"
+
+namespace rt {
+
+namespace {
+
+constexpr double epsilon = 1e-10;  ///< POV-Ray's, for vectors that count as zero
+
+/// A vector and the comma that may follow it.
+Vec3 vector_then_comma(Reader& reader) {
+    const Vec3 v = parse_finite_vector(reader);
+    reader.accept_comma();
+    return v;
+}
+
+double float_then_comma(Reader& reader) {
+    const double x = parse_finite(reader);
+    reader.accept_comma();
+    return x;
+}
+
+ParsedShape parse_sphere(Reader& reader) {
+    const Vec3 center = vector_then_comma(reader);
+    return Sphere{center, std::fabs(parse_finite(reader))};
+}
+
+ParsedShape parse_plane(Reader& reader) {
+    const Vec3 normal = parse_finite_vector(reader);
+    if (length(normal) < epsilon) reader.fail(reader.peek().span, "Degenerate plane normal.");
+    reader.accept_comma();
+    return Plane{unit(normal), parse_finite(reader)};
+}
+
+ParsedShape parse_box(Reader& reader) {
+    const Vec3 a = vector_then_comma(reader);
+    const Vec3 b = parse_finite_vector(reader);
+    return Box{glm::min(a, b), glm::max(a, b)};
+}
+
+ParsedShape finish_cone(Reader& reader, Cone cone, std::string_view degenerate) {
+    if (length(cone.cap - cone.base) < epsilon) reader.fail(reader.peek().span, degenerate);
+    cone.open = reader.accept(Word::open);
+    return cone;
+}
+
+ParsedShape parse_cone(Reader& reader) {
+    Cone cone;
+    cone.base = vector_then_comma(reader);
+    cone.base_radius = float_then_comma(reader);
+    cone.cap = vector_then_comma(reader);
+    cone.cap_radius = parse_finite(reader);
+    return finish_cone(reader, cone, "Degenerate cone/cylinder.");
+}
+
+ParsedShape parse_cylinder(Reader& reader) {
+    Cone cone;
+    cone.base = vector_then_comma(reader);
+    cone.cap = vector_then_comma(reader);
+    cone.base_radius = cone.cap_radius = std::fabs(parse_finite(reader));
+    return finish_cone(reader, cone, "Degenerate cylinder, base point = apex point.");
+}
+
+/// POV-Ray shows nothing of a torus with a negative radius.
+ParsedShape parse_torus(Reader& reader) {
+    const Torus torus{float_then_comma(reader), parse_finite(reader)};
+    if (torus.major_radius < 0.0 || torus.minor_radius <= 0.0) return std::nullopt;
+    return torus;
+}
+
+ParsedShape parse_disc(Reader& reader) {
+    const Vec3 center = vector_then_comma(reader);
+    const Vec3 normal = vector_then_comma(reader);
+    const double radius = std::fabs(float_then_comma(reader));
+    const double hole = reader.at_expression() ? std::fabs(parse_finite(reader)) : 0.0;
+    if (length(normal) < epsilon) return std::nullopt;
+    return Disc{center, unit(normal), radius, hole};
+}
+
+ParsedShape degenerate_triangle(Reader& reader) {
+    reader.warn(reader.peek().span, "Degenerate triangle. Please remove.");
+    return std::nullopt;
+}
+
+ParsedShape parse_triangle(Reader& reader) {
+    const Vec3 a = vector_then_comma(reader);
+    const Vec3 b = vector_then_comma(reader);
+    const Vec3 c = parse_finite_vector(reader);
+    if (is_degenerate_triangle(a, b, c)) return degenerate_triangle(reader);
+    return Triangle{a, b, c};
+}
+
+/// Outside a mesh the three normals must lie strictly on one side of the triangle.
+ParsedShape parse_smooth_triangle(Reader& reader) {
+    std::array<Vec3, 3> corner;
+    std::array<Vec3, 3> normal;
+    for (int i = 0; i < 3; ++i) {
+        corner[i] = vector_then_comma(reader);
+        normal[i] = parse_finite_vector(reader);
+        if (i != 2) reader.accept_comma();
+    }
+    if (is_degenerate_triangle(corner[0], corner[1], corner[2])) return degenerate_triangle(reader);
+    const Vec3 across = unit(cross(corner[1] - corner[0], corner[2] - corner[0]));
+    int sides = 0;
+    for (Vec3& n : normal) {
+        if (!(length(n) > 0.0)) return degenerate_triangle(reader);
+        n = unit(n);
+        const double side = dot(n, across);
+        sides += (side > 0.0) - (side < 0.0);
+    }
+    if (std::abs(sides) != 3) return degenerate_triangle(reader);
+    return SmoothTriangle{corner[0], corner[1], corner[2], normal[0], normal[1], normal[2]};
+}
+
+constexpr std::array<ShapeSyntax, 12> shapes{{
+    {Word::sphere, parse_sphere},
+    {Word::plane, parse_plane},
+    {Word::box, parse_box},
+    {Word::cone, parse_cone},
+    {Word::cylinder, parse_cylinder},
+    {Word::torus, parse_torus, true},
+    {Word::disc, parse_disc},
+    {Word::triangle, parse_triangle},
+    {Word::smooth_triangle, parse_smooth_triangle},
+    {Word::polygon, parse_polygon},
+    {Word::mesh, parse_mesh, false, true},
+    {Word::mesh2, parse_mesh2, false, true},
+}};
+
+}  // namespace
+
+const ShapeSyntax* find_shape(Word w) {
+    const auto found = std::find_if(shapes.begin(), shapes.end(), [w](const ShapeSyntax& s) { return s.word == w; });
+    return found == shapes.end() ? nullptr : &*found;
+}
+
+bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return !(length(cross(b - a, c - a)) > 0.0); }
+
+}  // namespace rt

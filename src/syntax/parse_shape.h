@@ -1,0 +1,27 @@
+// Shapes: the parameters between a shape's '{' and its modifiers.
+#pragma once
+
+#include "syntax/reader.h"
+
+namespace rt {
+
+/// What was read: no shape if it can never be hit (a degenerate triangle, ...), for which POV-Ray's warning was given.
+using ParsedShape = std::optional<Shape>;
+
+/// How a shape is read; `word` is none if it is no shape's word.
+struct ShapeSyntax {
+    Word word = Word::none;
+    ParsedShape (*parse)(Reader& reader) = nullptr;
+    bool takes_sturm = false;
+    bool takes_hierarchy = false;
+};
+const ShapeSyntax* find_shape(Word w);
+
+ParsedShape parse_mesh(Reader& reader);
+ParsedShape parse_mesh2(Reader& reader);
+ParsedShape parse_polygon(Reader& reader);
+
+/// Three corners span no plane: POV-Ray's test.
+bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace rt

@@ -1,0 +1,120 @@
+// texture { }, material { } and #default.
+#include "syntax/blocks.h"
+#include "syntax/parameters.h"
+#include "syntax/texture_layers.h"
+#include "syntax/unmodelled.h"
+
+namespace rt {
+
+namespace {
+
+/// `checker texture { } texture { }`; a cell that is not stated is the default texture.
+CheckerTexture parse_checker_texture(Reader& reader) {
+    CheckerTexture checker;
+    for (int i = 0; i < 2; ++i) {
+        std::optional<TextureLayers> cell;
+        if (reader.accept(Word::texture)) {
+            parse_texture(reader, cell);
+            reader.accept_comma();
+        }
+        checker.cells.push_back(*layers_or_default(reader, cell));
+    }
+    return checker;
+}
+
+/// tiles, material_map or a pattern with a texture_map: reported and skipped; true if one comes next.
+bool skip_unmodelled_texture(Reader& reader) {
+    const Token next = reader.peek();
+    if (next.kind != Token::Kind::word) return false;
+    if (next.word != Word::tiles && next.word != Word::material_map && !is_unmodelled_pattern(next.word)) return false;
+    reader.unmodelled(next.span, text(next.word));
+    reader.take();
+    skip_to_block_end(reader);
+    return true;
+}
+
+void parse_transforms(Reader& reader, std::optional<TextureLayers>& layers) {
+    if (const std::optional<Transform> t = accept_transforms(reader)) transform_layers(layers_or_default(reader, layers), *t);
+}
+
+/// A layer that is no pattern of textures: edits the top of `layers`.
+void parse_plain_parts(Reader& reader, std::optional<TextureLayers>& layers) {
+    for (;;) {
+        parse_transforms(reader, layers);
+        if (!accept_layer_part(reader, layers)) break;
+    }
+    if (at_color(reader) && reader.peek().kind == Token::Kind::word)
+        reader.fail(reader.peek().span, "Keyword 'color' can only be used in a pigment or density statement.");
+}
+
+bool accept_material_part(Reader& reader, MaterialValue& material) {
+    if (reader.accept(Word::texture)) {
+        parse_texture(reader, material.texture);
+    } else if (reader.accept(Word::interior_texture)) {
+        parse_texture(reader, material.interior_texture);
+    } else if (reader.accept(Word::interior)) {
+        material.interior = parse_interior(reader, material.interior.value_or(Shared<Interior>()));
+    } else if (const std::optional<Transform> t = accept_transforms(reader)) {
+        if (material.texture) transform_layers(*material.texture, *t);
+        if (material.interior_texture) transform_layers(*material.interior_texture, *t);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void parse_texture(Reader& reader, std::optional<TextureLayers>& layers) {
+    reader.begin_block("texture");
+    std::optional<TextureLayers> own;
+    if (const TextureLayers* declared = reader.accept_declared<TextureLayers>()) own = *declared;
+    if (own && is_patterned(*own)) {
+        parse_transforms(reader, own);
+    } else if (reader.accept(Word::checker)) {
+        own = std::vector<Texture>{Texture{parse_checker_texture(reader)}};
+        parse_transforms(reader, own);
+    } else if (!skip_unmodelled_texture(reader)) {
+        parse_plain_parts(reader, own);
+    }
+    const Span place = reader.peek().span;
+    if (reader.at_block_end()) stack(reader, place, layers, layers_or_default(reader, own));
+    reader.end_block();
+}
+
+MaterialValue parse_material(Reader& reader, MaterialValue base) {
+    reader.begin_block("material");
+    MaterialValue material = std::move(base);
+    if (const MaterialValue* declared = reader.accept_declared<MaterialValue>()) {
+        const MaterialValue copy = *declared;
+        const Span place = reader.peek().span;
+        if (copy.texture) stack(reader, place, material.texture, *copy.texture);
+        if (copy.interior_texture) stack(reader, place, material.interior_texture, *copy.interior_texture);
+        if (copy.interior) material.interior = copy.interior;
+    }
+    while (accept_material_part(reader, material)) continue;
+    reader.end_block();
+    return material;
+}
+
+void parse_default(Reader& reader) {
+    reader.begin_block("default");
+    for (;;) {
+        std::optional<TextureLayers> layers;
+        const Token next = reader.peek();
+        if (reader.accept(Word::texture)) {
+            parse_texture(reader, layers);
+            if (is_patterned(*layers)) reader.fail(reader.peek().span, "Default texture cannot be material map or tiles.");
+        } else if (next.is(Word::camera) || next.is(Word::radiosity)) {
+            reader.take();
+            skip_unmodelled_block(reader, next);
+            continue;
+        } else if (!accept_layer_part(reader, layers)) {
+            break;
+        }
+        reader.default_texture() = std::vector<Texture>{layers->edit().back()};
+    }
+    reader.end_block();
+}
+
+}  // namespace rt

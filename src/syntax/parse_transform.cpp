@@ -1,0 +1,93 @@
+// translate, rotate, scale, matrix and transform.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "syntax/blocks.h"
+#include "syntax/parameters.h"
+
+namespace rt {
+
+namespace {
+
+Transform parse_scale(Reader& reader) {
+    Vec3 by = parse_finite_vector(reader);
+    for (int i = 0; i < 3; ++i) {
+        if (by[i] != 0.0) continue;
+        reader.warn(reader.peek().span, fmt::format("Illegal Value: Scale {} by 0.0. Changed to 1.0.", "XYZ"[i]));
+        by[i] = 1.0;
+    }
+    return Transform::scale(by);
+}
+
+Transform parse_matrix(Reader& reader) {
+    reader.expect('<');
+    double m[12];
+    for (int i = 0; i < 12; ++i) {
+        m[i] = parse_finite(reader);
+        if (i != 11) reader.accept_comma();
+    }
+    const Span close = reader.peek().span;
+    reader.expect('>');
+    for (int i = 0; i < 3; ++i) {
+        if (m[i] != 0.0 || m[3 + i] != 0.0 || m[6 + i] != 0.0) continue;
+        reader.warn(close, "Illegal matrix column: Scale by 0.0. Changed to 1.0.");
+        m[4 * i] = 1.0;
+    }
+    try {
+        return Transform::matrix(m);
+    } catch (const std::domain_error&) {
+        reader.fail(close, "Singular matrix in MInvers.");
+    }
+}
+
+/// The group's steps in order; `inverse`, wherever it stands and however often, inverts all of it.
+Transform parse_group(Reader& reader) {
+    if (!reader.peek().is('{')) {
+        const std::string found = reader.describe(reader.peek());
+        reader.fail(reader.peek().span, fmt::format("Missing {{ after '{}', {} found instead", found.substr(0, found.find(" '")), found));
+    }
+    reader.begin_block("{");
+    Transform group;
+    bool inverse = false;
+    for (;;) {
+        if (const std::optional<Transform> step = accept_transform(reader)) {
+            group = group.then(*step);
+        } else if (const Transform* declared = reader.accept_declared<Transform>()) {
+            group = group.then(*declared);
+        } else if (reader.accept(Word::inverse)) {
+            inverse = true;
+        } else {
+            break;
+        }
+    }
+    reader.end_block();
+    return inverse ? group.inverse() : group;
+}
+
+}  // namespace
+
+std::optional<Transform> accept_transform(Reader& reader) {
+    const Token& next = reader.peek();
+    if (next.kind != Token::Kind::word) return std::nullopt;
+    const Span place = next.span;
+    Transform t;
+    if (reader.accept(Word::translate)) {
+        t = Transform::translate(parse_finite_vector(reader));
+    } else if (reader.accept(Word::rotate)) {
+        t = Transform::rotate(parse_finite_vector(reader), reader.options().rotation);
+    } else if (reader.accept(Word::scale)) {
+        t = parse_scale(reader);
+    } else if (reader.accept(Word::matrix)) {
+        t = parse_matrix(reader);
+    } else if (reader.accept(Word::transform)) {
+        const Transform* declared = reader.accept_declared<Transform>();
+        t = declared ? *declared : parse_group(reader);
+    } else {
+        return std::nullopt;
+    }
+    require_finite(reader, place, t);
+    return t;
+}
+
+}  // namespace rt
