@@ -28,6 +28,9 @@ Reflectivity reflectivity(const Reflection& mirror, const Rgb& pigment, double c
     return r;
 }
 
+/// Terms guard themselves against NaN; what is left comes from products of infinities with 0, so it is an overflow.
+double overflowed(double x) { return std::isnan(x) ? infinity : x; }
+
 }  // namespace
 
 Recursion::Recursion(const World& world, const TraceOptions& options)
@@ -43,8 +46,9 @@ Radiance Recursion::camera_ray(const Ray& ray, RayLog* log) {
     ++counts.camera;
     log_ = log;
     interiors_.assign(world_.camera_interiors.begin(), world_.camera_interiors.end());
-    const Radiance result = trace({.ray = ray}, 0, start_node(RayNode::none, RayNode::Kind::camera, {.ray = ray}, Rgb(1.0), 1.0));
+    Radiance result = trace({.ray = ray}, 0, start_node(RayNode::none, RayNode::Kind::camera, {.ray = ray}, Rgb(1.0), 1.0));
     if (log_ != nullptr) total(*log_);
+    result.rgb = {overflowed(result.rgb.r), overflowed(result.rgb.g), overflowed(result.rgb.b)};
     return result;
 }
 
@@ -115,8 +119,10 @@ SurfacePoint Recursion::surface_point(const Ray& ray, const Hit& hit) const {
     at.t = hit.shape.t;
     at.error = rules_.point_error(at.point, hit.shape.t);
     at.object = hit.object;
-    at.inside = dot(at.normal, ray.direction) > 0.0;
-    if (at.inside) at.normal = -at.normal;
+    const bool away = dot(at.normal, ray.direction) > 0.0;
+    const bool two_faced = !world_.materials[world_.objects[hit.object].material].interior_layers.empty();
+    at.inside = two_faced ? world_.met_from_inside(hit, at.point, ray.direction) : away;
+    if (away) at.normal = -at.normal;
     return at;
 }
 

@@ -62,10 +62,12 @@ Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, st
 Rgb Shadows::filtered(const Hit& hit, const Vec3& point, const Vec3& direction, const Vec3& normal) {
     const CompiledObject& object = world_.objects[hit.object];
     const double cos = dot(normal, direction);
+    const bool two_faced = !world_.materials[object.material].interior_layers.empty();
+    const bool inside = two_faced && world_.met_from_inside(hit, point, direction);
     const double caustics = world_.interiors[object.interior].caustics;
     const double focus = caustics == 0.0 ? 1.0 : 1.0 + std::pow(std::fmin(std::fabs(cos), 1.0), caustics);
     Rgb filter(1.0);
-    for (const LayerSample& layer : layers_.at(object, cos > 0.0, point)) {
+    for (const LayerSample& layer : layers_.at(object, inside, point)) {
         filter *= focus * (layer.color.filter * layer.color.rgb + Rgb(layer.color.transmit));
     }
     return filter;

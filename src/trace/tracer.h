@@ -33,7 +33,7 @@ public:
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;
 
-    /// `ray.direction` is unit. The same ray gives the same bits whatever was traced before.
+    /// `ray.direction` is unit. The same ray gives the same bits whatever was traced before. Never NaN; infinite where numbers overflow.
     Radiance camera_ray(const Ray& ray);
     /// The same, and records what the ray met in `log` (emptied first).
     Radiance camera_ray(const Ray& ray, RayLog& log);
