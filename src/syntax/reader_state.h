@@ -84,7 +84,8 @@ struct Reader::State {
     // --- fast paths of plain literals (reader_values.cpp); false: nothing was read
     bool scan_plain_number(double& x);
     bool scan_plain_vector(Vec3& v);
-    void note_scanned(std::uint32_t begin);
+    template <typename Scan>
+    bool scan_plain(Scan scan);
 
     // --- nesting
     void enter(const Span& place);

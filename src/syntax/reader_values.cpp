@@ -19,7 +19,7 @@ void require_finite(Reader::State& state, const Span& first, double x) {
 
 double Reader::parse_float() {
     double x;
-    if (!state_->has_ahead && state_->scan_plain_number(x)) return x;
+    if (state_->scan_plain_number(x)) return x;
     const Span first = peek().span;
     x = Expression(*state_).sum_float();
     require_finite(*state_, first, x);
@@ -51,7 +51,7 @@ bool Reader::at_expression() {
 
 Vec3 Reader::parse_vector() {
     Vec3 v;
-    if (!state_->has_ahead && state_->scan_plain_vector(v)) return v;
+    if (state_->scan_plain_vector(v)) return v;
     const Span first = peek().span;
     v = Expression(*state_).sum_vector();
     for (int i = 0; i < 3; ++i) require_finite(*state_, first, v[i]);
@@ -67,6 +67,7 @@ Vec2 Reader::parse_vector2() {
 }
 
 Number Reader::parse_number() {
+    if (Vec3 v; state_->scan_plain_vector(v)) return {{v.x, v.y, v.z}, 3, false};
     const Span first = peek().span;
     const Number n = Expression(*state_).sum();
     for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
@@ -78,26 +79,34 @@ std::string Reader::parse_string() { return Expression(*state_).string(); }
 void Reader::accept_comma() { accept(','); }
 
 bool Reader::State::scan_plain_number(double& x) {
-    Lexer& lexer = frames.back().lexer;
-    const std::uint32_t begin = lexer.position();
-    if (!lexer.scan_plain_number(x)) return false;
-    note_scanned(begin);
-    return true;
+    return scan_plain([&](Lexer& lexer) { return lexer.scan_plain_number(x); });
 }
 
 bool Reader::State::scan_plain_vector(Vec3& v) {
-    Lexer& lexer = frames.back().lexer;
-    const std::uint32_t begin = lexer.position();
-    if (!lexer.scan_plain_vector(v)) return false;
-    note_scanned(begin);
-    return true;
+    return scan_plain([&](Lexer& lexer) { return lexer.scan_plain_vector(v); });
 }
 
-void Reader::State::note_scanned(std::uint32_t begin) {
-    const Lexer& lexer = frames.back().lexer;
+/// Scans from the token that was looked at, if any: that is possible where it stands just before the lexer and began a literal.
+template <typename Scan>
+bool Reader::State::scan_plain(Scan scan) {
+    Lexer& lexer = frames.back().lexer;
+    const std::uint32_t position = lexer.position();
+    std::uint32_t begin = position;
+    if (has_ahead) {
+        const bool literal = ahead.kind == Token::Kind::number || ahead.is('<') || ahead.is('-');
+        if (!literal || ahead.span.file != lexer.file() || ahead.span.end != position) return false;
+        begin = ahead.span.begin;
+        lexer.seek(begin);
+    }
+    if (!scan(lexer)) {
+        lexer.seek(position);
+        return false;
+    }
+    has_ahead = false;
     last = {lexer.file(), begin, lexer.position()};
     last_word = Word::none;
     anything_read = true;
+    return true;
 }
 
 }  // namespace rt
