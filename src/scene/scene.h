@@ -204,7 +204,7 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights;
     std::vector<Object> objects;  ///< in file order; ties between equally near surfaces go to the first
-    PigmentColor background;
+    PigmentColor background{Rgb(0.0), 0.0, 1.0};  ///< none stated: black, and transparent in a picture with alpha
     GlobalSettings settings;
     double language_version = 0.0;  ///< last #version; 0 when none was seen and no include restored one
     std::vector<Unmodelled> unmodelled;
