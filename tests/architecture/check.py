@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""The house rules that a machine can check: who includes whom, one room for each library, and sizes.
+
+usage: tests/architecture/check.py [--root FOLDER] [--headers]
+
+Prints every breach as file:line: text and exits with 1 if there is one. --headers also compiles every header on its own.
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+ROOMS = {
+    "core": set(),
+    "geometry": {"core"},
+    "shading": {"core"},
+    "patterns": {"core"},
+    "scene": {"core", "geometry"},
+    "syntax": {"core", "geometry", "scene"},
+    "world": {"core", "geometry", "scene", "shading", "patterns"},
+    "film": {"core"},
+    "trace": {"core", "shading", "world", "film"},
+    "grading": {"core", "film"},
+}
+ALL_ROOMS = set(ROOMS) | {"commands"}
+
+# Where a library may be included, as a pattern of paths under src/.
+LIBRARIES = {
+    r"embree\d?/": r"world/embree_index\.cpp",
+    r"png\.h": r"film/png\.cpp",
+    r"OpenImageIO/": r"film/oiio/.*",
+    r"CLI/": r"commands/.*|main\.cpp",
+    r"nlohmann/": r"commands/.*|grading/report.*",
+    r"thread$": r"trace/render\.cpp",
+    r"glm/": r"core/.*",
+    r"iostream": r"$never",
+}
+
+FILE_LINES = 400
+FUNCTION_LINES = 60
+MAIN_LINES = 60
+
+UNFINISHED = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "X" + "XX"]) + r")\b")
+LEAVES_PROGRAM = re.compile(r"\b(?:std::)?(?:_?exit|_Exit|quick_exit|abort|terminate)\s*\(")
+PRINTS = re.compile(r"\bfmt::print\b|\bstd::(?:cout|cerr|clog)\b|\b(?:std::)?(?:printf|puts|putchar)\s*\(")
+SCOPE = re.compile(r"^\s*(?:template\s*<.*?>\s*)?(?:inline\s+|typedef\s+|extern\s+)*(?:namespace|class|struct|union|enum|extern)\b", re.S)
+
+
+def without_comments_and_strings(text):
+    """The text with comments and literals blanked out; lines stay where they are."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<mark>[^()\s\\]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+    def blank(match):
+        start = match.start()
+        if match.group().startswith("'") and start and text[start - 1].isalnum() and text[start - 1] not in "uUL":
+            return match.group()  # a digit separator
+        return re.sub(r"[^\n]", " ", match.group())
+
+    return pattern.sub(blank, text)
+
+
+def functions(text):
+    """Yields (first line, last line) of every function body that is not inside another one, headers included."""
+    code = re.sub(r"^[ \t]*#.*?(?<!\\)$", lambda m: re.sub(r"[^\n]", " ", m.group()), without_comments_and_strings(text), flags=re.M | re.S)
+    stack, header_start, line, start_line = [], 0, 1, 1
+    for position, char in enumerate(code):
+        if char == "\n":
+            line += 1
+        elif char == "{":
+            header = code[header_start:position]
+            inside = "function" in [kind for kind, _ in stack]
+            if inside or (stack and stack[-1][0] == "value"):
+                kind = "nested"
+            elif SCOPE.match(header):
+                kind = "scope"
+            elif "(" not in header or header.count("(") > header.count(")") or re.search(r"=\s*$", header):
+                kind = "value"
+            elif re.search(r"\)[^()]*(?<!:):(?!:).*[\w>]$", header.rstrip(), re.S) and not header.endswith((" ", "\n")):
+                kind = "value"  # a member's initialiser in a constructor
+            else:
+                kind = "function"
+            start_line = line - header[len(header) - len(header.lstrip()):].count("\n")
+            stack.append((kind, start_line))
+            if kind in ("scope", "function"):
+                header_start = position + 1
+        elif char == "}" and stack:
+            kind, first = stack.pop()
+            if kind == "function":
+                yield first, line
+            if kind in ("scope", "function"):
+                header_start = position + 1
+        elif char == ";" and (not stack or stack[-1][0] == "scope"):
+            header_start = position + 1
+
+
+class Check:
+    def __init__(self, root):
+        self.root = root
+        self.src = root / "src"
+        self.breaches = []
+
+    def report(self, path, line, text):
+        self.breaches.append(f"{path.relative_to(self.root)}:{line}: {text}")
+
+    def check_includes(self, path, text):
+        inner = path.relative_to(self.src).as_posix()
+        room = inner.split("/")[0] if "/" in inner else ""
+        allowed = ROOMS.get(room, ALL_ROOMS) | {room}
+        for number, line in enumerate(text.splitlines(), 1):
+            quoted = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+            if quoted:
+                other = quoted.group(1).split("/")[0] if "/" in quoted.group(1) else ""
+                if other not in ALL_ROOMS:
+                    self.report(path, number, f'include "{quoted.group(1)}" does not say "room/file.h"')
+                elif other not in allowed:
+                    self.report(path, number, f"room {room} may not include room {other}")
+            angled = re.match(r"\s*#\s*include\s*<([^>]+)>", line)
+            for library, place in LIBRARIES.items():
+                if angled and re.match(library, angled.group(1)) and not re.fullmatch(place, inner):
+                    self.report(path, number, f"<{angled.group(1)}> has no place in this file")
+
+    def check_words(self, path, text):
+        code = without_comments_and_strings(text).splitlines()
+        inner = path.relative_to(self.src).as_posix()
+        for number, line in enumerate(code, 1):
+            if inner not in ("main.cpp", "commands/interrupt.cpp") and LEAVES_PROGRAM.search(line):
+                self.report(path, number, "only main ends the program (and the signal handler)")
+            if not inner.startswith(("commands/", "main.cpp")) and PRINTS.search(line):
+                self.report(path, number, "only commands print")
+
+    def check_sizes(self, path, text):
+        lines = text.count("\n")
+        limit = MAIN_LINES if path == self.src / "main.cpp" else FILE_LINES
+        if lines > limit:
+            self.report(path, lines, f"{lines} lines, at most {limit} are allowed")
+        for first, last in functions(text):
+            if last - first + 1 > FUNCTION_LINES:
+                self.report(path, first, f"a function of {last - first + 1} lines, at most {FUNCTION_LINES} are allowed")
+        for number, line in enumerate(text.splitlines(), 1):
+            if UNFINISHED.search(line):
+                self.report(path, number, "unfinished work belongs in the tracker")
+
+    def check_headers(self):
+        headers = sorted(self.src.rglob("*.h"))
+        options = ["g++", "-std=c++20", "-fsyntax-only", "-DGLM_FORCE_CTOR_INIT", "-Wall", "-Wextra", "-x", "c++", f"-I{self.src}"]
+        with ThreadPoolExecutor() as pool:
+            runs = list(pool.map(lambda header: subprocess.run(options + [header], capture_output=True, text=True), headers))
+        for header, run in zip(headers, runs):
+            if run.returncode != 0:
+                self.report(header, 1, "does not compile on its own: " + run.stderr.strip().split("\n")[0])
+
+    def run(self, headers):
+        sources = [p for p in sorted(self.src.rglob("*")) if p.suffix in (".h", ".cpp")]
+        for path in sources:
+            text = path.read_text()
+            self.check_includes(path, text)
+            self.check_words(path, text)
+        for path in sources + [p for p in sorted((self.root / "tests").rglob("*")) if p.suffix in (".h", ".cpp")]:
+            self.check_sizes(path, path.read_text())
+        if headers:
+            self.check_headers()
+        return self.breaches
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
+    parser.add_argument("--headers", action="store_true")
+    options = parser.parse_args()
+    breaches = Check(options.root.resolve()).run(options.headers)
+    print("\n".join(breaches) if breaches else "the house is in order")
+    return 1 if breaches else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

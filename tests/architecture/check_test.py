@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Plants one breach of every rule in a small tree and sees each reported; a tree without one is in order."""
+import pathlib
+import tempfile
+import unittest
+
+import check
+
+LONG_FUNCTION = "int f() {\n" + "    g();\n" * 60 + "}\n"
+
+BREACHES = {
+    "room geometry may not include room scene": ("src/geometry/a.h", '#include "scene/scene.h"\n'),
+    "room grading may not include room trace": ("src/grading/a.cpp", '#include "trace/render.h"\n'),
+    "room core may not include room geometry": ("src/core/a.h", '#include "geometry/sphere.h"\n'),
+    'does not say "room/file.h"': ("src/core/a.h", '#include "vec.h"\n'),
+    "<embree3/rtcore.h> has no place": ("src/world/world.cpp", "#include <embree3/rtcore.h>\n"),
+    "<png.h> has no place": ("src/film/image_file.cpp", "#include <png.h>\n"),
+    "<OpenImageIO/imageio.h> has no place": ("src/film/png.cpp", "#include <OpenImageIO/imageio.h>\n"),
+    "<CLI/CLI.hpp> has no place": ("src/trace/render.cpp", "#include <CLI/CLI.hpp>\n"),
+    "<nlohmann/json.hpp> has no place": ("src/grading/difference.cpp", "#include <nlohmann/json.hpp>\n"),
+    "<thread> has no place": ("src/trace/tracer.cpp", "#include <thread>\n"),
+    "<glm/vec3.hpp> has no place": ("src/geometry/a.h", "#include <glm/vec3.hpp>\n"),
+    "only main ends the program": ("src/syntax/a.cpp", "void f() {\n    std::exit(1);\n}\n"),
+    "only commands print": ("src/syntax/a.cpp", 'void f() {\n    fmt::print("x");\n}\n'),
+    "401 lines, at most 400": ("src/core/a.h", "\n" * 401),
+    "61 lines, at most 60": ("src/main.cpp", "\n" * 61),
+    "a function of 62 lines": ("src/core/a.cpp", "namespace rt {\nclass A {\n" + LONG_FUNCTION + "};\n}\n"),
+    "a function of 64 lines": ("tests/core/a.cpp", "A::A(int n) : a_{n}, b_(n) {\n" + "    // {\n" + LONG_FUNCTION[10:-2] + "\n}\n"),
+    "unfinished work": ("src/core/a.h", "// TO" + "DO: later\n"),
+}
+
+GOOD = """#include "core/vec.h"
+// exit( is only a word here, and "std::exit(1)" a string
+namespace rt {
+constexpr int table[] = {1'000, 2};
+const char* text = "exit(";
+struct A {
+    int b{3};
+    A(int c) : b{c} {}
+};
+template <typename T>
+T twice(T t) {
+    return t + t;
+}
+}  // namespace rt
+"""
+
+
+class CheckTest(unittest.TestCase):
+    def breaches(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            return check.Check(root).run(headers=False)
+
+    def test_good_code_is_in_order(self):
+        self.assertEqual(self.breaches({"src/geometry/a.cpp": GOOD, "src/main.cpp": '#include "commands/commands.h"\n'}), [])
+
+    def test_functions_are_found_with_their_lengths(self):
+        self.assertEqual(list(check.functions(GOOD)), [(8, 8), (10, 13)])
+
+    def test_every_breach_is_reported(self):
+        for text, (name, content) in BREACHES.items():
+            with self.subTest(text):
+                found = self.breaches({"src/geometry/good.cpp": GOOD, name: content})
+                self.assertEqual(len(found), 1, found)
+                self.assertIn(text, found[0])
+                self.assertTrue(found[0].startswith(name + ":"), found)
+
+
+if __name__ == "__main__":
+    unittest.main()
