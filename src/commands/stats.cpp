@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <thread>
+#include <limits>
 
 #include "commands/names.h"
 
@@ -54,7 +54,6 @@ std::string stats_text(const RenderJob& job, const Scene& scene, const Stats& st
     const Phases& p = stats.phases;
     const RayCounts& rays = stats.rays;
     const std::uint64_t all = rays.camera + rays.shadow + rays.reflected + rays.refracted;
-    const unsigned cores = std::thread::hardware_concurrency();
     std::string text =
         fmt::format("time: parse {:.4f} s, build {:.4f} s, trace {:.4f} s, write {:.4f} s\n", p.parse, p.build, p.trace, p.write);
     text += fmt::format("scene: {} objects, {} triangles, {} lights\n", scene.objects.size(), count_triangles(scene), scene.lights.size());
@@ -62,7 +61,7 @@ std::string stats_text(const RenderJob& job, const Scene& scene, const Stats& st
     text += ray_line("camera", rays.camera, p.trace) + ray_line("shadow", rays.shadow, p.trace);
     text += ray_line("reflected", rays.reflected, p.trace) + ray_line("refracted", rays.refracted, p.trace) + ray_line("all", all, p.trace);
     text += fmt::format("memory: peak {:.1f} MB\n", static_cast<double>(stats.peak_bytes) * 1e-6);
-    text += fmt::format("threads: {}\n", job.threads > 0 ? static_cast<unsigned>(job.threads) : cores);
+    text += fmt::format("threads: {}\n", worker_count(job.threads, std::numeric_limits<std::size_t>::max()));
     text += fmt::format("precision: {}, distances: {}, shading: {}\n", name_of(precision_names, *job.precision),
                         name_of(distances_names, *job.distances), name_of(shading_names, *job.shading));
     text += fmt::format("gamma: working space {}, file {}\n", gamma_text(scene.settings.gamma), file_gamma_text(job, scene.settings.gamma));

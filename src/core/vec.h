@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/geometric.hpp>

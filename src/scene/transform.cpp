@@ -1,6 +1,5 @@
 #include "scene/transform.h"
 
-#include <glm/matrix.hpp>
 #include <stdexcept>
 
 namespace rt {

@@ -1,5 +1,4 @@
 // Scene objects into the arrays of `Surfaces`.
-#include <glm/matrix.hpp>
 
 #include "world/surfaces.h"
 
