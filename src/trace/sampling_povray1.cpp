@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "trace/sampling.h"
 
 namespace rt {
@@ -20,10 +22,14 @@ public:
     }
     void trace_border_cell(int y) { trace(tile_.x0 - 1, y).sampled_again = true; }
 
+    /// Compares the pixel's centre with its neighbours as they are by now, which may already be means of many samples.
     void trace_pixel(int x, int y) {
-        Cell& here = trace(x, y);
-        compare(here, x, y, cell(x - 1, y), x - 1, y);
-        compare(here, x, y, cell(x, y - 1), x, y - 1);
+        const Contrast centre = trace(x, y).contrast;
+        for (const auto& [left, up] : {std::pair{1, 0}, std::pair{0, 1}}) {
+            if (!(distance(centre, cell(x - left, y - up).contrast) >= task_.sampling.threshold)) continue;
+            sample_again(x - left, y - up);
+            sample_again(x, y);
+        }
     }
 
     const Pixel& value(int x, int y) { return cell(x, y).value; }
@@ -42,14 +48,9 @@ private:
         c.contrast = Contrast(value, task_.comparison_exponent);
     }
 
-    void compare(Cell& here, int x, int y, Cell& neighbour, int neighbour_x, int neighbour_y) {
-        if (!(distance(here.contrast, neighbour.contrast) >= task_.sampling.threshold)) return;
-        sample_again(neighbour, neighbour_x, neighbour_y);
-        sample_again(here, x, y);
-    }
-
     /// The mean of the centre and n x n samples. Offsets grow by repeated addition, which decides ties on edges.
-    void sample_again(Cell& c, int x, int y) {
+    void sample_again(int x, int y) {
+        Cell& c = cell(x, y);
         if (c.sampled_again) return;
         c.sampled_again = true;
         const int n = task_.sampling.depth;

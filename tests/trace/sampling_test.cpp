@@ -90,10 +90,10 @@ std::map<std::pair<int, int>, Color> method1(int depth, double threshold, double
             };
             for (int y = top; y < std::min(top + block, height); ++y) {
                 for (int x = left; x < std::min(left + block, width); ++x) {
-                    now[{x, y}] = at(x, y);
+                    const Color centre = now[{x, y}] = at(x, y);
                     for (const auto& [nx, ny] : {std::pair{x - 1, y}, std::pair{x, y - 1}}) {
                         if (!now.count({nx, ny})) now[{nx, ny}] = at(nx, ny);
-                        if (difference(now[{x, y}], now[{nx, ny}], gamma) < threshold) continue;
+                        if (difference(centre, now[{nx, ny}], gamma) < threshold) continue;
                         again(nx, ny);
                         again(x, y);
                     }
