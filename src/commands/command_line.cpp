@@ -123,7 +123,12 @@ std::vector<std::string> CommandLine::parse(const std::vector<std::string>& word
 
 bool CommandLine::help_asked() const { return state_->help_asked; }
 
-std::string CommandLine::help() const { return state_->app.help(); }
+std::string CommandLine::help() const {
+    std::string text = state_->app.help();
+    // Groups without a visible option leave blank lines.
+    for (std::size_t at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n")) text.erase(at, 1);
+    return text;
+}
 
 std::vector<std::string> with_two_dashes(const std::vector<std::string>& words, const CommandLine& line) {
     const std::vector<std::string> known = line.long_names();

@@ -62,7 +62,7 @@ constexpr const char* shading_topic =
     roughness2      alpha = roughness^2 (default)
     povray          the width that POV-Ray's exponent 1/roughness has
     direct          alpha = roughness
---distances RULE    scaled: ray offsets from the error of the hit point, no limits;
+--distances RULE    scaled: ray offsets from the error of the hit point;
                     povray: its absolute 1e-4 and 1e7 (implied by its shading)
 --precision KIND    fast: single-precision triangles, the hit refined in double;
                     exact: double throughout, what a test of every object finds
@@ -73,20 +73,20 @@ constexpr const char* sampling_topic =
     R"(Without any of these a pixel is one ray through its centre, as in POV-Ray.
 
 -ss=N, --ss N       N x N rays in every pixel, averaged
---aa 1[,T[,R]]      POV-Ray's method 1: neighbours that differ by more than T (0.3)
-                    get R x R more rays (R 3)
+--aa 1[,T[,R]]      POV-Ray's method 1: neighbours that differ by T (0.3) or
+                    more get R x R more rays (R 3)
 --aa 2[,T[,R]]      POV-Ray's method 2: adaptive, R levels
-+A[T] +AMn +Rn      the same, as POV-Ray writes it; rendered as with -J (no jitter)
---crop X0,X1,Y0,Y1  only that part; the rest of the picture stays black. A part has
-                    the same bytes as in the whole picture
++A[T] +AMn +Rn      the same, as POV-Ray writes it; rendered as with -J
+--crop X0,X1,Y0,Y1  only that part; the rest of the picture stays black. A part
+                    has the same bytes as in the whole picture
 )";
 
 constexpr const char* output_topic =
-    R"(-o FILE             the ending chooses the type: png exr hdr tif jpg ppm tga bmp;
-                    another ending gets .png appended
+    R"(-o FILE             the ending chooses the type (png exr hdr tif jpg ppm tga
+                    bmp); to another ending .png is appended
 -o DIR/             the scene's name there;  -o - is standard output
-+Oname              POV-Ray's rule: the ending of the type (+F) is appended unless
-                    the name has it
++Oname              POV-Ray's rule: the ending of the type (+F) is appended
+                    unless the name has it
 (nothing)           the scene's name in the current folder
 --bits 16           16 bits per channel (png, tiff, ppm)
 --file-gamma G      encode with 1/G instead of sRGB; 1 is linear
@@ -100,8 +100,8 @@ constexpr const char* course_topic =
     R"(The course's commands (right-handed, camera vectors as written, rotation z y x,
 bytes = round(255 c) without gamma):
 
-raytrace render SCENE WIDTH HEIGHT [-ss=N]     writes output.png, prints nothing
-raytrace sceneinfo SCENE                       camera, lights and objects as text
+raytrace render SCENE WIDTH HEIGHT [-ss=N]   writes output.png, prints nothing
+raytrace sceneinfo SCENE                     camera, lights and objects as text
 
 In this version 'render' shades with POV-Ray's finish model under the course's
 camera, not yet with the course's own Blinn-Phong and contributions; -fresnel,

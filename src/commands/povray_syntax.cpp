@@ -35,7 +35,7 @@ bool is_ini_file(std::string_view word) {
 }
 
 bool is_gnu_short(const std::string& word) {
-    for (const char* ours : {"-h", "-o", "-q", "-t", "-W", "-H", "-"})
+    for (const char* ours : {"-h", "-o", "-q", "-t", "-L", "-W", "-H", "-"})
         if (word == ours) return true;
     return false;
 }
@@ -91,9 +91,7 @@ bool Translator::switch_word(const std::string& word) {
     const PovraySwitch* found = find_povray_switch(std::string_view(word).substr(1));
     if (!found) {
         if (word[0] == '-') return false;  // perhaps one of our short options
-        std::vector<std::string> known;
-        for (const PovraySwitch& s : povray_switches()) known.push_back(fmt::format("+{}", s.letters));
-        throw OptionError(fmt::format("unknown switch '{}'{}", word, did_you_mean(word, known)));
+        throw OptionError(fmt::format("unknown switch '{}'; see raytrace help povray", word));
     }
     const std::string_view rest = unquoted(std::string_view(word).substr(1 + found->letters.size()));
     for (const std::string& item : split(word[0] == '+' ? found->plus : found->minus, ' ')) {

@@ -72,7 +72,7 @@ void define_picture(CommandLine& line, Draft& d) {
     edge("--end-column", d.edges.end_column);
     edge("--start-row", d.edges.start_row);
     edge("--end-row", d.edges.end_row);
-    line.value("--file-gamma", "G", "G or srgb (default)", [&](const std::string& v) {
+    line.value("--file-gamma", "G", "", [&](const std::string& v) {
         const bool srgb = lower_case(v) == "srgb";
         job.file_gamma = srgb ? Curve{Curve::Kind::srgb, 1.0} : Curve{Curve::Kind::power, real_number("file gamma", v, 1e-3, 1e3)};
     });

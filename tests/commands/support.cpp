@@ -1,0 +1,118 @@
+#include "tests/commands/support.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace rt::test {
+
+namespace fs = std::filesystem;
+
+const char* const small_scene =
+    "#version 3.7;\n"
+    "global_settings { assumed_gamma 1 }\n"
+    "camera { location <0, 0, -5> look_at <0, 0, 0> }\n"
+    "light_source { <10, 10, -10> rgb 1 }\n"
+    "sphere { <0, 0, 0>, 1 pigment { rgb <1, 0.5, 0.25> } }\n";
+
+Workplace::Workplace() : before_(fs::current_path().string()) {
+    std::string pattern = (fs::temp_directory_path() / "raytrace_test_XXXXXX").string();
+    if (!mkdtemp(pattern.data())) throw std::runtime_error("no folder for tests");
+    path_ = pattern;
+    fs::current_path(path_);
+}
+
+Workplace::~Workplace() {
+    std::error_code ignored;
+    fs::current_path(before_, ignored);
+    fs::remove_all(path_, ignored);
+}
+
+void Workplace::write(const std::string& name, const std::string& text) const { std::ofstream(name, std::ios::binary) << text; }
+
+bool Workplace::has(const std::string& name) const { return fs::exists(name); }
+
+std::string Workplace::read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(name, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> Workplace::files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(".")) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+namespace {
+
+pid_t start(const std::vector<std::string>& words, const std::string& out_file, const std::string& err_file) {
+    std::vector<char*> arguments;
+    std::string program = PROGRAM;
+    std::vector<std::string> copies = words;
+    arguments.push_back(program.data());
+    for (std::string& word : copies) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    const int out = open(out_file.c_str(), O_WRONLY | O_CREAT, 0600);
+    const int err = open(err_file.c_str(), O_WRONLY | O_CREAT, 0600);
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    execv(PROGRAM, arguments.data());
+    _exit(127);
+}
+
+int wait_for(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::string take_file(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(name, std::ios::binary).rdbuf();
+    fs::remove(name);
+    return text.str();
+}
+
+std::string stream_name(const char* kind) { return fs::current_path().string() + "_" + kind; }
+
+}  // namespace
+
+Outcome run(const std::vector<std::string>& words, const std::string& out_file) {
+    const std::string out = out_file.empty() ? stream_name("out") : out_file;
+    const std::string err = stream_name("err");
+    Outcome outcome;
+    outcome.status = wait_for(start(words, out, err));
+    if (out_file.empty()) outcome.out = take_file(out);
+    outcome.err = take_file(err);
+    return outcome;
+}
+
+Outcome run_and_interrupt(const std::vector<std::string>& words, int milliseconds, int signals) {
+    const std::string out = stream_name("out");
+    const std::string err = stream_name("err");
+    const pid_t child = start(words, out, err);
+    for (int i = 0; i < signals; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(i == 0 ? milliseconds : 20));
+        kill(child, SIGINT);
+    }
+    Outcome outcome;
+    outcome.status = wait_for(child);
+    outcome.out = take_file(out);
+    outcome.err = take_file(err);
+    return outcome;
+}
+
+}  // namespace rt::test

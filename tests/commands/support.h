@@ -1,0 +1,41 @@
+// What the tests of the commands share: a folder of their own and the program as a child process.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt::test {
+
+/// An empty folder that is the current one while this lives and is removed afterwards.
+class Workplace {
+public:
+    Workplace();
+    ~Workplace();
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+
+    void write(const std::string& name, const std::string& text) const;
+    bool has(const std::string& name) const;
+    std::string read(const std::string& name) const;
+    std::vector<std::string> files() const;  ///< sorted
+
+private:
+    std::string path_, before_;
+};
+
+struct Outcome {
+    int status = -1;  ///< exit status, or 128 + signal
+    std::string out, err;
+};
+
+/// Runs the program in the current folder. `out_file` receives standard output where it is not empty.
+Outcome run(const std::vector<std::string>& words, const std::string& out_file = "");
+
+/// Starts the program, waits until its standard error is silent for no reason of ours (`signal_after` milliseconds), sends `signals`
+/// SIGINTs and waits for its end.
+Outcome run_and_interrupt(const std::vector<std::string>& words, int milliseconds, int signals);
+
+/// A small scene that renders at once: a lit sphere.
+extern const char* const small_scene;
+
+}  // namespace rt::test
