@@ -21,6 +21,8 @@ bool at_color(Reader& reader);  ///< does a colour keyword or a colour identifie
 Camera parse_camera(Reader& reader);
 Light parse_light(Reader& reader);
 void transform_light(Reader& reader, const Span& place, Light& light, const Transform& t);
+/// The modifiers of a declared light: any that an object takes, of which only transforms mean anything.
+void modify_light(Reader& reader, const Span& place, Light& light);
 void parse_global_settings(Reader& reader);
 // Each of these starts from `base` unless the block begins with a declared name.
 Pigment parse_pigment(Reader& reader, Pigment base);

@@ -27,7 +27,9 @@ void Reader::State::fill() {
             directive(hash);
             if (has_ahead) return;  // the directive looked one token too far
         } else if (ahead.kind == Token::Kind::end) {
-            if (!leave_frame()) break;
+            if (leave_frame()) continue;
+            ahead.span = last;  // what is missing is missing after the last token, not after the blank lines below it
+            break;
         } else if (ahead.kind != Token::Kind::identifier || name_only || !(any_macro || any_deprecated) || !replace_name(ahead.span)) {
             break;
         }

@@ -8,29 +8,13 @@ namespace rt {
 
 namespace {
 
-constexpr std::string_view not_finite = "This number is infinite or not a number.";
-
 bool is_finite_matrix(const Mat3& m) { return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]); }
 
 }  // namespace
 
-double parse_finite(Reader& reader) {
-    const Span place = reader.peek().span;
-    const double value = reader.parse_float();
-    if (!std::isfinite(value)) reader.fail(place, not_finite);
-    return value;
-}
+int parse_int(Reader& reader) { return static_cast<int>(std::clamp(reader.parse_float(), -2147483647.0, 2147483647.0)); }
 
-Vec3 parse_finite_vector(Reader& reader) {
-    const Span place = reader.peek().span;
-    const Vec3 value = reader.parse_vector();
-    require_finite(reader, place, value);
-    return value;
-}
-
-int parse_int(Reader& reader) { return static_cast<int>(std::clamp(parse_finite(reader), -2147483647.0, 2147483647.0)); }
-
-std::size_t parse_count(Reader& reader) { return static_cast<std::size_t>(std::clamp(parse_finite(reader), 0.0, 4294967295.0)); }
+std::size_t parse_count(Reader& reader) { return static_cast<std::size_t>(std::clamp(reader.parse_float(), 0.0, 4294967295.0)); }
 
 std::size_t reserve_limit(Reader& reader, std::size_t stated, std::size_t bytes_each) {
     const Span place = reader.peek().span;
@@ -40,7 +24,7 @@ std::size_t reserve_limit(Reader& reader, std::size_t stated, std::size_t bytes_
 }
 
 void require_finite(Reader& reader, const Span& place, const Vec3& v) {
-    if (!is_finite(v)) reader.fail(place, not_finite);
+    if (!is_finite(v)) reader.fail(place, "What this is moved to is not finite.");
 }
 
 void require_finite(Reader& reader, const Span& place, const Transform& t) {

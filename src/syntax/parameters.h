@@ -1,14 +1,10 @@
-// What the blocks share to read their parameters: finite numbers, whole numbers, transforms that stay finite.
+// What the blocks share to read their parameters: whole numbers, counts, transforms that stay finite.
 #pragma once
 
 #include "syntax/reader.h"
 
 namespace rt {
 
-/// A float that must be finite: an expression may give infinity or NaN, a scene may not hold one.
-double parse_finite(Reader& reader);
-/// A vector with finite components; a float promotes to all three.
-Vec3 parse_finite_vector(Reader& reader);
 /// Cut to a whole number as POV-Ray does, kept within the range of int.
 int parse_int(Reader& reader);
 /// A stated number of items, at least 0. Not to be trusted for reserving memory: see `reserve_limit`.
@@ -16,7 +12,7 @@ std::size_t parse_count(Reader& reader);
 /// At most as many items as the file could still hold if each took `bytes_each` characters.
 std::size_t reserve_limit(Reader& reader, std::size_t stated, std::size_t bytes_each);
 
-/// Fails at `place` if a component is infinite or NaN.
+/// Fails at `place` if what was computed from finite parameters has overflowed.
 void require_finite(Reader& reader, const Span& place, const Vec3& v);
 void require_finite(Reader& reader, const Span& place, const Transform& t);
 

@@ -36,32 +36,32 @@ Word parse_type(Reader& reader, Camera& camera) {
     if (next.word == Word::orthographic) camera.type = Camera::Type::orthographic;
     if (next.word == Word::perspective || next.word == Word::orthographic) return next.word;
     reader.unmodelled(next.span, fmt::format("{} camera", text(next.word)));
-    if (next.word == Word::cylinder) parse_finite(reader);
+    if (next.word == Word::cylinder) reader.parse_float();
     if (next.word == Word::mesh_camera) skip_inner_block(reader);
     return next.word;
 }
 
 void parse_angle(Reader& reader, Camera& camera, Word type) {
     const bool optional = type == Word::orthographic && !reader.at_expression();
-    camera.angle = optional ? 0.0 : parse_finite(reader);
+    camera.angle = optional ? 0.0 : reader.parse_float();
     if (*camera.angle < 0.0) reader.fail(reader.peek().span, "Negative viewing angle.");
-    if (type == Word::spherical && reader.at_expression()) parse_finite(reader);
+    if (type == Word::spherical && reader.at_expression()) reader.parse_float();
 }
 
 bool accept_vector_item(Reader& reader, Camera& camera) {
     if (reader.accept(Word::location)) {
-        camera.location = parse_finite_vector(reader);
+        camera.location = reader.parse_vector();
     } else if (reader.accept(Word::direction)) {
-        camera.direction = parse_finite_vector(reader);
+        camera.direction = reader.parse_vector();
     } else if (reader.accept(Word::sky)) {
-        camera.sky = parse_finite_vector(reader);
+        camera.sky = reader.parse_vector();
     } else if (reader.accept(Word::look_at)) {
-        camera.look_at = parse_finite_vector(reader);
+        camera.look_at = reader.parse_vector();
     } else if (reader.accept(Word::up)) {
-        camera.up = parse_finite_vector(reader);
+        camera.up = reader.parse_vector();
         camera.up_or_right_stated = true;
     } else if (reader.accept(Word::right)) {
-        camera.right = parse_finite_vector(reader);
+        camera.right = reader.parse_vector();
         camera.up_or_right_stated = true;
     } else {
         return false;
@@ -73,15 +73,15 @@ bool accept_vector_item(Reader& reader, Camera& camera) {
 bool accept_unmodelled_item(Reader& reader) {
     const Token next = reader.peek();
     if (reader.accept(Word::aperture)) {
-        if (parse_finite(reader) != 0.0) reader.unmodelled(next.span, "aperture");
+        if (reader.parse_float() != 0.0) reader.unmodelled(next.span, "aperture");
     } else if (reader.accept(Word::blur_samples)) {
-        parse_finite(reader);
+        reader.parse_float();
         reader.accept_comma();
-        if (reader.at_expression()) parse_finite(reader);
+        if (reader.at_expression()) reader.parse_float();
     } else if (reader.accept(Word::focal_point)) {
-        parse_finite_vector(reader);
+        reader.parse_vector();
     } else if (reader.accept(Word::confidence) || reader.accept(Word::variance)) {
-        parse_finite(reader);
+        reader.parse_float();
     } else if (reader.accept(Word::normal) || reader.accept(Word::bokeh)) {
         skip_unmodelled_block(reader, next);
     } else {

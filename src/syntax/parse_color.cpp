@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "syntax/blocks.h"
-#include "syntax/parameters.h"
 
 namespace rt {
 
@@ -70,46 +69,61 @@ double decode_srgb(double value, const Gamma& gamma) {
     return gamma.power == 1.0 ? linear : std::pow(linear, 1.0 / gamma.power);
 }
 
-PigmentColor parse_form(Reader& reader, Word word, const Span& place) {
-    const Form form = form_of(word);
+/// Where only red, green and blue count, POV-Ray remarks on what else was stated, form by form.
+void remark(Reader& reader, bool pure, bool stated, std::string_view extra) {
+    if (pure && stated)
+        reader.warn(reader.peek().span, fmt::format("Expected pure RGB color expression, unexpected {} will have no effect.", extra));
+}
+
+PigmentColor parse_form(Reader& reader, bool pure) {
+    const Token word = reader.take();
+    const Form form = form_of(word.word);
     const Gamma& gamma = reader.scene().settings.gamma;
-    if (form.srgb && gamma.kind == Gamma::Kind::legacy) reader.fail(place, "Cannot parse sRGB colors before assumed_gamma has been set.");
+    if (form.srgb && gamma.kind == Gamma::Kind::legacy)
+        reader.fail(word.span, "Cannot parse sRGB colors before assumed_gamma has been set.");
     Number n = reader.parse_number();
     if (n.size == 1)
         for (int i = 1; i < form.size; ++i) n.v[i] = n.v[0];
-    if (n.size > form.size && !n.color) reader.warn(reader.peek().span, fmt::format("Suspicious expression after {}.", text(word)));
+    if (n.size > form.size) reader.warn(reader.peek().span, fmt::format("Suspicious expression after {}.", text(word.word)));
     if (form.fourth_is_transmit && n.size <= 4) std::swap(n.v[3], n.v[4]);
     PigmentColor color = from_channels(n);
     if (form.srgb)
         for (int i = 0; i < 3; ++i) color.rgb[i] = decode_srgb(color.rgb[i], gamma);
+    if (form.size == 5) {
+        remark(reader, pure, color.filter != 0.0 || color.transmit != 0.0, "filter and transmit components");
+    } else if (form.size == 4) {
+        remark(reader, pure, !form.fourth_is_transmit && color.filter != 0.0, "filter component");
+        remark(reader, pure, form.fourth_is_transmit && color.transmit != 0.0, "transmit component");
+    }
     return color;
 }
 
-/// With `pure`, a bare float fills red, green and blue only.
+PigmentColor parse_bare(Reader& reader, bool pure) {
+    Number n = reader.parse_number();
+    if (n.size == 1)
+        for (int i = 1; i < (pure ? 3 : 5); ++i) n.v[i] = n.v[0];
+    remark(reader, pure, n.v[3] != 0.0 || n.v[4] != 0.0, "filter and transmit components");
+    return from_channels(n);
+}
+
+/// `pure`: only red, green and blue count. A bare float then fills these three, otherwise all five.
 PigmentColor parse_any_color(Reader& reader, bool pure) {
-    const Span place = reader.peek().span;
     PigmentColor color;
     while (reader.accept(Word::color) || reader.accept(Word::colour)) continue;
     const Token& next = reader.peek();
-    if (next.kind == Token::Kind::word && form_of(next.word).size != 0) {
-        const Token form = reader.take();
-        color = parse_form(reader, form.word, form.span);
-    } else if (next.kind == Token::Kind::word && channel(color, next.word)) {
-        // Nothing before the single channels below.
-    } else if (reader.at_expression()) {
-        Number n = reader.parse_number();
-        if (n.size == 1)
-            for (int i = 1; i < (pure ? 3 : 5); ++i) n.v[i] = n.v[0];
-        color = from_channels(n);
-    }
+    if (next.kind == Token::Kind::word && form_of(next.word).size != 0)
+        color = parse_form(reader, pure);
+    else if (reader.at_expression())
+        color = parse_bare(reader, pure);
     while (reader.peek().kind == Token::Kind::word) {
-        double* const value = channel(color, reader.peek().word);
+        const Word word = reader.peek().word;
+        double* const value = channel(color, word);
         if (!value) break;
         reader.take();
-        *value = parse_finite(reader);
+        *value = reader.parse_float();
+        remark(reader, pure, word == Word::filter && *value != 0.0, "filter component");
+        remark(reader, pure, word == Word::transmit && *value != 0.0, "transmit component");
     }
-    require_finite(reader, place, color.rgb);
-    require_finite(reader, place, Vec3(color.filter, color.transmit, 0.0));
     return color;
 }
 
@@ -126,14 +140,6 @@ bool at_color(Reader& reader) {
 
 PigmentColor parse_color(Reader& reader) { return parse_any_color(reader, false); }
 
-Rgb parse_rgb(Reader& reader) {
-    const PigmentColor color = parse_any_color(reader, true);
-    const char* extra = nullptr;
-    if (color.filter != 0.0) extra = color.transmit != 0.0 ? "filter and transmit components" : "filter component";
-    if (!extra && color.transmit != 0.0) extra = "transmit component";
-    if (extra)
-        reader.warn(reader.peek().span, fmt::format("Expected pure RGB color expression, unexpected {} will have no effect.", extra));
-    return color.rgb;
-}
+Rgb parse_rgb(Reader& reader) { return parse_any_color(reader, true).rgb; }
 
 }  // namespace rt

@@ -12,7 +12,7 @@ namespace {
 TextureLayers parse_layers(Reader& reader) {
     std::optional<TextureLayers> layers;
     do parse_texture(reader, layers);
-    while (reader.accept(Word::texture));
+    while (reader.accept_at_once(Word::texture));
     return *layers;
 }
 

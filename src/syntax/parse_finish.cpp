@@ -29,17 +29,17 @@ void scale_albedos(Finish& finish, const Albedos& albedos) {
     }
 }
 
-double parse_optional(Reader& reader, double when_absent) { return reader.at_expression() ? parse_finite(reader) : when_absent; }
+double parse_optional(Reader& reader, double when_absent) { return reader.at_expression() ? reader.parse_float() : when_absent; }
 
 void parse_diffuse(Reader& reader, Finish& finish, Albedos& albedos) {
     albedos.diffuse = reader.accept(Word::albedo);
-    finish.diffuse = parse_finite(reader);
+    finish.diffuse = reader.parse_float();
     reader.accept_comma();
     finish.diffuse_back = parse_optional(reader, 0.0);
 }
 
 void parse_roughness(Reader& reader, Finish& finish) {
-    finish.roughness = parse_finite(reader);
+    finish.roughness = reader.parse_float();
     if (*finish.roughness == 0.0) reader.warn(reader.peek().span, "Zero roughness used.");
 }
 
@@ -50,9 +50,9 @@ void parse_reflection_items(Reader& reader, Reflection& reflection) {
         if (reader.accept(Word::fresnel)) {
             reflection.fresnel = reader.parse_bool_or(true);
         } else if (reader.accept(Word::falloff)) {
-            reflection.falloff = parse_finite(reader);
+            reflection.falloff = reader.parse_float();
         } else if (reader.accept(Word::exponent)) {
-            reflection.exponent = parse_finite(reader);
+            reflection.exponent = reader.parse_float();
         } else if (reader.accept(Word::metallic)) {
             reflection.metallic = parse_optional(reader, 1.0);
         } else {
@@ -86,15 +86,15 @@ bool accept_light_item(Reader& reader, Finish& finish, Albedos& albedos) {
     } else if (reader.accept(Word::diffuse)) {
         parse_diffuse(reader, finish, albedos);
     } else if (reader.accept(Word::brilliance)) {
-        finish.brilliance = parse_finite(reader);
+        finish.brilliance = reader.parse_float();
     } else if (reader.accept(Word::phong)) {
         albedos.phong = reader.accept(Word::albedo);
-        finish.phong = parse_finite(reader);
+        finish.phong = reader.parse_float();
     } else if (reader.accept(Word::phong_size)) {
-        finish.phong_size = parse_finite(reader);
+        finish.phong_size = reader.parse_float();
     } else if (reader.accept(Word::specular)) {
         albedos.specular = reader.accept(Word::albedo);
-        finish.specular = parse_finite(reader);
+        finish.specular = reader.parse_float();
     } else if (reader.accept(Word::roughness)) {
         parse_roughness(reader, finish);
     } else if (reader.accept(Word::metallic)) {
@@ -102,7 +102,7 @@ bool accept_light_item(Reader& reader, Finish& finish, Albedos& albedos) {
     } else if (reader.accept(Word::reflection)) {
         parse_reflection(reader, finish.reflection);
     } else if (reader.accept(Word::reflection_exponent)) {
-        finish.reflection.exponent = parse_finite(reader);
+        finish.reflection.exponent = reader.parse_float();
     } else if (reader.accept(Word::conserve_energy)) {
         finish.conserve_energy = true;
     } else {
@@ -127,7 +127,7 @@ bool accept_legacy_item(Reader& reader, Finish& finish) {
     } else {
         return false;
     }
-    *value = parse_finite(reader);
+    *value = reader.parse_float();
     reader.warn(reader.peek().span, warning);
     return true;
 }
@@ -135,7 +135,7 @@ bool accept_legacy_item(Reader& reader, Finish& finish) {
 bool accept_unmodelled_item(Reader& reader) {
     const Token next = reader.peek();
     if (reader.accept(Word::crand)) {
-        if (parse_finite(reader) != 0.0) reader.unmodelled(next.span, "crand");
+        if (reader.parse_float() != 0.0) reader.unmodelled(next.span, "crand");
     } else if (reader.accept(Word::irid) || reader.accept(Word::subsurface)) {
         skip_unmodelled_block(reader, next);
     } else {

@@ -11,22 +11,22 @@ namespace {
 bool accept_item(Reader& reader, Interior& interior) {
     const Token next = reader.peek();
     if (reader.accept(Word::ior)) {
-        interior.ior = parse_finite(reader);
+        interior.ior = reader.parse_float();
     } else if (reader.accept(Word::caustics)) {
-        interior.caustics = 45.0 * parse_finite(reader);
+        interior.caustics = 45.0 * reader.parse_float();
     } else if (reader.accept(Word::fade_distance)) {
-        interior.fade_distance = parse_finite(reader);
+        interior.fade_distance = reader.parse_float();
     } else if (reader.accept(Word::fade_power)) {
-        interior.fade_power = parse_finite(reader);
+        interior.fade_power = reader.parse_float();
     } else if (reader.accept(Word::fade_color) || reader.accept(Word::fade_colour)) {
         interior.fade_color = parse_rgb(reader);
     } else if (reader.accept(Word::refraction)) {
-        parse_finite(reader);
+        reader.parse_float();
         reader.warn(reader.peek().span, refraction_unnecessary);
     } else if (reader.accept(Word::dispersion)) {
-        if (parse_finite(reader) != 1.0) reader.unmodelled(next.span, "dispersion");
+        if (reader.parse_float() != 1.0) reader.unmodelled(next.span, "dispersion");
     } else if (reader.accept(Word::dispersion_samples)) {
-        parse_finite(reader);
+        reader.parse_float();
     } else if (reader.accept(Word::media)) {
         skip_unmodelled_block(reader, next);
     } else {

@@ -31,9 +31,9 @@ int parse_size(Reader& reader) {
 }
 
 void parse_area(Reader& reader, AreaLight& area) {
-    area.axis1 = parse_finite_vector(reader);
+    area.axis1 = reader.parse_vector();
     reader.accept_comma();
-    area.axis2 = parse_finite_vector(reader);
+    area.axis2 = reader.parse_vector();
     reader.accept_comma();
     area.size1 = parse_size(reader);
     reader.accept_comma();
@@ -52,9 +52,9 @@ bool accept_cone_item(Reader& reader, Light& light) {
     if (!known) reader.fail(next.span, fmt::format("Keyword '{}' cannot be used with standard light source.", text(next.word)));
     reader.take();
     if (value)
-        *value = parse_finite(reader);
+        *value = reader.parse_float();
     else
-        light.point_at = parse_finite_vector(reader);
+        light.point_at = reader.parse_vector();
     return true;
 }
 
@@ -90,9 +90,9 @@ bool accept_general_item(Reader& reader, Light& light) {
     } else if (reader.accept(Word::shadowless)) {
         light.shadowless = true;
     } else if (reader.accept(Word::fade_distance)) {
-        light.fade_distance = parse_finite(reader);
+        light.fade_distance = reader.parse_float();
     } else if (reader.accept(Word::fade_power)) {
-        light.fade_power = parse_finite(reader);
+        light.fade_power = reader.parse_float();
     } else {
         return false;
     }
@@ -157,13 +157,13 @@ Light parse_light(Reader& reader) {
     reader.begin_block("light_source");
     if (const Light* declared = reader.accept_declared<Light>()) {
         Light copy = *declared;
-        if (const std::optional<Transform> t = accept_transforms(reader)) transform_light(reader, begin, copy, *t);
+        modify_light(reader, begin, copy);
         reader.end_block();
         return copy;
     }
     Light light;
     light.span = begin;
-    light.location = parse_finite_vector(reader);
+    light.location = reader.parse_vector();
     reader.accept_comma();
     light.color = parse_rgb(reader);
     AreaLight area;

@@ -14,10 +14,10 @@ struct Corner {
 
 Corner parse_corner(Reader& reader, bool smooth) {
     Corner corner;
-    corner.point = parse_finite_vector(reader);
+    corner.point = reader.parse_vector();
     if (!smooth) return corner;
     reader.accept_comma();
-    corner.normal = parse_finite_vector(reader);
+    corner.normal = reader.parse_vector();
     if (!(length(corner.normal) > 0.0)) {
         reader.warn(reader.peek().span, "Normal vector in mesh cannot be zero - changing it to <1,0,0>.");
         corner.normal = Vec3(1, 0, 0);
@@ -78,7 +78,7 @@ ParsedShape parse_mesh(Reader& reader) {
     MeshData mesh;
     while (accept_triangle(reader, mesh)) continue;
     if (mesh.faces.empty()) reader.fail(reader.peek().span, "No triangles in triangle mesh.");
-    if (reader.accept(Word::inside_vector)) parse_finite_vector(reader);
+    if (reader.accept(Word::inside_vector)) reader.parse_vector();
     return Mesh{std::move(mesh)};
 }
 

@@ -27,7 +27,7 @@ void parse_vectors(Reader& reader, std::string_view name, std::vector<Vec3>& vec
     vectors.reserve(reserve_limit(reader, count, least_bytes));
     reader.accept_comma();
     for (std::size_t i = 0; i < count; ++i) {
-        vectors.push_back(parse_finite_vector(reader));
+        vectors.push_back(reader.parse_vector());
         reader.accept_comma();
     }
     reader.end_block();
@@ -44,7 +44,7 @@ void parse_normals(Reader& reader, std::vector<Vec3>& normals) {
     normals.reserve(reserve_limit(reader, count, least_bytes));
     reader.accept_comma();
     for (std::size_t i = 0; i < count; ++i) {
-        Vec3 normal = parse_finite_vector(reader);
+        Vec3 normal = reader.parse_vector();
         if (!(length(normal) > 0.0)) {
             reader.warn(reader.peek().span, "Normal vector in mesh2 cannot be zero - changing it to <1,0,0>.");
             normal = Vec3(1, 0, 0);
@@ -195,7 +195,7 @@ ParsedShape parse_mesh2(Reader& reader) {
         else
             data.normals.clear();
     }
-    if (reader.accept(Word::inside_vector)) parse_finite_vector(reader);
+    if (reader.accept(Word::inside_vector)) reader.parse_vector();
     if (data.faces.empty()) return std::nullopt;
     return Mesh{std::move(data)};
 }

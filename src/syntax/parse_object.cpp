@@ -156,14 +156,14 @@ ObjectValue parse_shape_block(Reader& reader, const ShapeSyntax& shape) {
     return finish_object(reader, std::move(draft), &shape);
 }
 
-/// `object { ... }` after its word; a light in it may only be moved.
+/// `object { ... }` after its word.
 Placeable parse_object_block(Reader& reader) {
     const Span place = reader.peek().span;
     reader.begin_block("object");
     std::optional<Placeable> inner = accept_object(reader);
     if (!inner) reader.fail_expected("object");
     if (Light* light = std::get_if<Light>(&*inner)) {
-        if (const std::optional<Transform> t = accept_transforms(reader)) transform_light(reader, place, *light, *t);
+        modify_light(reader, place, *light);
         reader.end_block();
         return std::move(*light);
     }
@@ -171,6 +171,12 @@ Placeable parse_object_block(Reader& reader) {
 }
 
 }  // namespace
+
+void modify_light(Reader& reader, const Span& place, Light& light) {
+    Draft unused;
+    parse_modifiers(reader, unused, nullptr);
+    if (unused.object.transform) transform_light(reader, place, light, *unused.object.transform);
+}
 
 std::optional<Placeable> accept_object(Reader& reader) {
     if (const ObjectValue* declared = reader.accept_declared<ObjectValue>()) return *declared;

@@ -27,7 +27,7 @@ CheckerPigment parse_checker(Reader& reader) {
         return checker;
     }
     for (Pigment& cell : checker.cells) {
-        if (!at_color(reader) && !reader.at_expression()) break;
+        if (!at_color(reader) && (!reader.at_expression() || reader.peek().is('<'))) break;
         cell.content = parse_color(reader);
         reader.accept_comma();
     }

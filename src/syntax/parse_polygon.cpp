@@ -53,7 +53,7 @@ ParsedShape parse_polygon(Reader& reader) {
     polygon.points.reserve(reserve_limit(reader, count + 1, 2));
     for (std::size_t i = 0; i < count; ++i) {
         reader.accept_comma();
-        polygon.points.push_back(parse_finite_vector(reader));
+        polygon.points.push_back(reader.parse_vector());
     }
     const Span place = reader.peek().span;
     if (close_contours(polygon.points)) reader.warn(place, "Polygon not closed. Closing it.");

@@ -18,7 +18,7 @@ void parse_assumed_gamma(Reader& reader, const Span& word, Gamma& gamma) {
     const Span place = reader.peek().span;
     Gamma stated{Gamma::Kind::srgb, 1.0};
     if (!reader.accept(Word::srgb)) {
-        stated = {Gamma::Kind::power, parse_finite(reader)};
+        stated = {Gamma::Kind::power, reader.parse_float()};
         if (stated.power <= 0.0) reader.fail(place, "gamma value must be positive.");
     }
     if (gamma.kind != Gamma::Kind::legacy) {
@@ -50,7 +50,7 @@ bool accept_modelled(Reader& reader, GlobalSettings& settings) {
     } else if (reader.accept(Word::max_trace_level)) {
         parse_max_trace_level(reader, settings);
     } else if (reader.accept(Word::adc_bailout)) {
-        settings.adc_bailout = parse_finite(reader);
+        settings.adc_bailout = reader.parse_float();
     } else {
         return false;
     }
@@ -75,9 +75,9 @@ bool accept_without_effect(Reader& reader) {
     } else if (reader.accept(Word::charset)) {
         parse_charset(reader);
     } else if (reader.accept(Word::mm_per_unit)) {
-        parse_finite(reader);
+        reader.parse_float();
     } else if (reader.accept(Word::max_intersections)) {
-        parse_finite(reader);
+        reader.parse_float();
         reader.warn(reader.peek().span, "'max_intersections' is no longer needed and has no effect in POV-Ray 3.7 or later.");
     } else if (reader.accept(Word::hf_gray_16)) {
         reader.parse_bool_or(true);

@@ -13,32 +13,32 @@ constexpr double epsilon = 1e-10;  ///< POV-Ray's, for vectors that count as zer
 
 /// A vector and the comma that may follow it.
 Vec3 vector_then_comma(Reader& reader) {
-    const Vec3 v = parse_finite_vector(reader);
+    const Vec3 v = reader.parse_vector();
     reader.accept_comma();
     return v;
 }
 
 double float_then_comma(Reader& reader) {
-    const double x = parse_finite(reader);
+    const double x = reader.parse_float();
     reader.accept_comma();
     return x;
 }
 
 ParsedShape parse_sphere(Reader& reader) {
     const Vec3 center = vector_then_comma(reader);
-    return Sphere{center, std::fabs(parse_finite(reader))};
+    return Sphere{center, std::fabs(reader.parse_float())};
 }
 
 ParsedShape parse_plane(Reader& reader) {
-    const Vec3 normal = parse_finite_vector(reader);
+    const Vec3 normal = reader.parse_vector();
     if (length(normal) < epsilon) reader.fail(reader.peek().span, "Degenerate plane normal.");
     reader.accept_comma();
-    return Plane{unit(normal), parse_finite(reader)};
+    return Plane{unit(normal), reader.parse_float()};
 }
 
 ParsedShape parse_box(Reader& reader) {
     const Vec3 a = vector_then_comma(reader);
-    const Vec3 b = parse_finite_vector(reader);
+    const Vec3 b = reader.parse_vector();
     return Box{glm::min(a, b), glm::max(a, b)};
 }
 
@@ -53,7 +53,7 @@ ParsedShape parse_cone(Reader& reader) {
     cone.base = vector_then_comma(reader);
     cone.base_radius = float_then_comma(reader);
     cone.cap = vector_then_comma(reader);
-    cone.cap_radius = parse_finite(reader);
+    cone.cap_radius = reader.parse_float();
     return finish_cone(reader, cone, "Degenerate cone/cylinder.");
 }
 
@@ -61,13 +61,13 @@ ParsedShape parse_cylinder(Reader& reader) {
     Cone cone;
     cone.base = vector_then_comma(reader);
     cone.cap = vector_then_comma(reader);
-    cone.base_radius = cone.cap_radius = std::fabs(parse_finite(reader));
+    cone.base_radius = cone.cap_radius = std::fabs(reader.parse_float());
     return finish_cone(reader, cone, "Degenerate cylinder, base point = apex point.");
 }
 
 /// POV-Ray shows nothing of a torus with a negative radius.
 ParsedShape parse_torus(Reader& reader) {
-    const Torus torus{float_then_comma(reader), parse_finite(reader)};
+    const Torus torus{float_then_comma(reader), reader.parse_float()};
     if (torus.major_radius < 0.0 || torus.minor_radius <= 0.0) return std::nullopt;
     return torus;
 }
@@ -76,7 +76,7 @@ ParsedShape parse_disc(Reader& reader) {
     const Vec3 center = vector_then_comma(reader);
     const Vec3 normal = vector_then_comma(reader);
     const double radius = std::fabs(float_then_comma(reader));
-    const double hole = reader.at_expression() ? std::fabs(parse_finite(reader)) : 0.0;
+    const double hole = reader.at_expression() ? std::fabs(reader.parse_float()) : 0.0;
     if (length(normal) < epsilon) return std::nullopt;
     return Disc{center, unit(normal), radius, hole};
 }
@@ -89,7 +89,7 @@ ParsedShape degenerate_triangle(Reader& reader) {
 ParsedShape parse_triangle(Reader& reader) {
     const Vec3 a = vector_then_comma(reader);
     const Vec3 b = vector_then_comma(reader);
-    const Vec3 c = parse_finite_vector(reader);
+    const Vec3 c = reader.parse_vector();
     if (is_degenerate_triangle(a, b, c)) return degenerate_triangle(reader);
     return Triangle{a, b, c};
 }
@@ -100,7 +100,7 @@ ParsedShape parse_smooth_triangle(Reader& reader) {
     std::array<Vec3, 3> normal;
     for (int i = 0; i < 3; ++i) {
         corner[i] = vector_then_comma(reader);
-        normal[i] = parse_finite_vector(reader);
+        normal[i] = reader.parse_vector();
         if (i != 2) reader.accept_comma();
     }
     if (is_degenerate_triangle(corner[0], corner[1], corner[2])) return degenerate_triangle(reader);

@@ -11,7 +11,7 @@ namespace rt {
 namespace {
 
 Transform parse_scale(Reader& reader) {
-    Vec3 by = parse_finite_vector(reader);
+    Vec3 by = reader.parse_vector();
     for (int i = 0; i < 3; ++i) {
         if (by[i] != 0.0) continue;
         reader.warn(reader.peek().span, fmt::format("Illegal Value: Scale {} by 0.0. Changed to 1.0.", "XYZ"[i]));
@@ -24,7 +24,7 @@ Transform parse_matrix(Reader& reader) {
     reader.expect('<');
     double m[12];
     for (int i = 0; i < 12; ++i) {
-        m[i] = parse_finite(reader);
+        m[i] = reader.parse_float();
         if (i != 11) reader.accept_comma();
     }
     const Span close = reader.peek().span;
@@ -73,9 +73,9 @@ std::optional<Transform> accept_transform(Reader& reader) {
     const Span place = next.span;
     Transform t;
     if (reader.accept(Word::translate)) {
-        t = Transform::translate(parse_finite_vector(reader));
+        t = Transform::translate(reader.parse_vector());
     } else if (reader.accept(Word::rotate)) {
-        t = Transform::rotate(parse_finite_vector(reader), reader.options().rotation);
+        t = Transform::rotate(reader.parse_vector(), reader.options().rotation);
     } else if (reader.accept(Word::scale)) {
         t = parse_scale(reader);
     } else if (reader.accept(Word::matrix)) {

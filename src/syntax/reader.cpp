@@ -76,6 +76,16 @@ bool Reader::accept(char symbol) {
     return true;
 }
 
+bool Reader::accept_at_once(Word w) {
+    if (state_->has_ahead) return accept(w);
+    Lexer& lexer = state_->frames.back().lexer;
+    const std::uint32_t position = lexer.position();
+    Token token;
+    lexer.next(token);
+    lexer.seek(position);
+    return token.is(w) && accept(w);
+}
+
 void Reader::expect(char symbol) {
     const Token& token = peek();
     if (token.is(symbol)) {

@@ -33,6 +33,9 @@ public:
     Token take();
     bool accept(Word w);
     bool accept(char symbol);
+    /// The same for the very next token of the text: a directive that stands there instead is not carried out yet, since the value that
+    /// was just read may have to get its name first.
+    bool accept_at_once(Word w);
     /// Takes `symbol` or fails: "No matching } in 'sphere', undeclared identifier 'x' found instead" for '}' inside `open_block`,
     /// "Missing { ..." style texts as POV-Ray words them otherwise.
     void expect(char symbol);
