@@ -206,6 +206,13 @@ TEST(Visibility, no_image_and_no_reflection) {
     EXPECT_EQ(unmirrored.look({0, 0.2, 0}, {0, -1, 0}).rgb, Rgb(0, 0, 1));
 }
 
+// Sanitizers make every stack frame several times as large.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t small_stack = 16 * 1024 * 1024;
+#else
+constexpr std::size_t small_stack = 512 * 1024;
+#endif
+
 TEST(Limits, deepest_recursion_and_endless_glass_fit_a_small_stack) {
     Scene deep = facing_mirrors(0.001, 1.0);
     deep.settings.max_trace_level = 256;
@@ -217,7 +224,7 @@ TEST(Limits, deepest_recursion_and_endless_glass_fit_a_small_stack) {
     } result{Traced(std::move(deep)), Traced(scene_with(panes, {}, sky))};
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, 512 * 1024);
+    pthread_attr_setstacksize(&attributes, small_stack);
     pthread_t thread;
     ASSERT_EQ(pthread_create(
                   &thread, &attributes,
