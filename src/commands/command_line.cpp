@@ -107,6 +107,9 @@ std::vector<std::string> CommandLine::parse(const std::vector<std::string>& word
     std::vector<std::string> reversed(std::make_reverse_iterator(end_of_options), words.rend());
     try {
         state_->app.parse(reversed);
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string text = error.what();  // begins with the option's name
+        throw OptionError("option '" + text.substr(0, text.find_first_of(": ")) + "' needs a value");
     } catch (const CLI::ParseError& error) {
         throw OptionError(error.what());
     }

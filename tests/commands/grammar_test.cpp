@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"a.pov", "--height=-5"}, "height: -5 is outside 1 to 1000000"},
         Mistake{{"a.pov", "+H99999999999"}, "height: 99999999999 is outside 1 to 1000000"},
         Mistake{{"a.pov", "+Wabc"}, "width: 'abc' is no number"}, Mistake{{"a.pov", "+W1e999"}, "width: '1e999' is no number"},
-        Mistake{{"a.pov", "+Wnan"}, "width: 'nan' is no number"}, Mistake{{"a.pov", "--width"}, "--width requires 1 argument"},
+        Mistake{{"a.pov", "+Wnan"}, "width: 'nan' is no number"}, Mistake{{"a.pov", "--width"}, "option '--width' needs a value"},
         Mistake{{"a.pov", "--size=64"}, "size: expected WIDTHxHEIGHT, not '64'"},
         Mistake{{"a.pov", "--shading", "phong"}, "'phong' is no shading; expected one of general, povray"},
         Mistake{{"a.pov", "--distances=far"}, "'far' is no rule of distances; expected one of scaled, povray"},
