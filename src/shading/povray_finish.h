@@ -47,11 +47,14 @@ inline Rgb angular_reflectivity(const Rgb& min, const Rgb& max, double falloff, 
     return k * max + (1.0 - k) * min;
 }
 
-/// Light along a mirrored ray as `reflection { exponent x }` takes it: to the power 1 / x per channel. Negative light, which has no such
-/// power, becomes 0.
+/// Light along a mirrored ray as `reflection { exponent x }` takes it: to the power 1 / x per channel. Negative light that has no such
+/// power becomes 0.
 inline Rgb reflected_light(const Rgb& light, double exponent) {
     if (exponent == 1.0) return light;
-    const auto root = [&](double x) { return x > 0.0 ? std::pow(x, 1.0 / exponent) : 0.0; };
+    const auto root = [&](double x) {
+        const double y = std::pow(x, 1.0 / exponent);
+        return std::isnan(y) ? 0.0 : y;
+    };
     return {root(light.r), root(light.g), root(light.b)};
 }
 

@@ -21,7 +21,6 @@ struct Crossing {
 
 inline double ratio_of_indices(double before, double behind) {
     const double ratio = before / behind;
-    // An index of 0 refracts nothing, as in POV-Ray.
     return ratio == 0.0 || !std::isfinite(ratio) ? 1.0 : ratio;
 }
 

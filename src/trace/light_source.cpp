@@ -22,9 +22,8 @@ LightSource::LightSource(const Light& light)
 LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
     const Vec3 to_light = location - point;
     if (light_->type == Light::Type::cylinder || light_->parallel) {
-        // A sample of a parallel area light shines from where it is through point_at.
-        const bool central = location == light_->location || light_->type == Light::Type::cylinder;
-        const Vec3 direction = central ? -axis_ : unit_or_zero(location - light_->point_at);
+        // A sample of an area shines through point_at from where it stands.
+        const Vec3 direction = location == light_->location ? -axis_ : unit_or_zero(location - light_->point_at);
         return {direction, dot(to_light, direction)};
     }
     const double distance = length(to_light);
@@ -33,15 +32,15 @@ LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
 }
 
 double LightSource::cone(const Vec3& from_light) const {
-    const double a = light_->parallel ? 1.0 : dot(axis_, from_light);
+    const double a = dot(axis_, from_light);
     if (!(a > 0.0)) return 0.0;
     double factor = light_->tightness == 0.0 ? 1.0 : std::pow(std::fmin(a, 1.0), light_->tightness);
     if (cos_radius_ > 0.0 && a < cos_radius_) factor *= cubic_step(cos_falloff_, cos_radius_, a);
     return factor;
 }
 
-double LightSource::cylinder(const Vec3& location, const Vec3& point) const {
-    const Vec3 from_light = point - location;
+double LightSource::cylinder(const Vec3& point) const {
+    const Vec3 from_light = point - light_->location;
     const double along = dot(from_light, axis_);
     if (!(along > 0.0)) return 0.0;
     const double r = length(from_light - along * axis_);
@@ -57,10 +56,10 @@ double LightSource::fade(double distance) const {
     return std::isfinite(factor) ? factor : 0.0;
 }
 
-double LightSource::attenuation(const Vec3& location, const Vec3& point, const LightRay& ray) const {
+double LightSource::attenuation(const Vec3& point, const LightRay& ray) const {
     double factor = 1.0;
     if (light_->type == Light::Type::spotlight) factor = cone(-ray.direction);
-    if (light_->type == Light::Type::cylinder) factor = cylinder(location, point);
+    if (light_->type == Light::Type::cylinder) factor = cylinder(point);
     if (fades_ && factor != 0.0) factor *= fade(ray.distance);
     return factor;
 }

@@ -23,12 +23,13 @@ public:
     /// the light is at the point, or a directed light has no direction.
     LightRay towards(const Vec3& location, const Vec3& point) const;
 
-    /// Factor on the light's colour at `point`: spot cone, cylinder, fading with distance. 0..2; never NaN.
-    double attenuation(const Vec3& location, const Vec3& point, const LightRay& ray) const;
+    /// Factor on the light's colour at `point` along `ray`, which may lead to a sample: spot cone, cylinder (always the central one),
+    /// fading with distance. Not NaN.
+    double attenuation(const Vec3& point, const LightRay& ray) const;
 
 private:
     double cone(const Vec3& from_light) const;
-    double cylinder(const Vec3& location, const Vec3& point) const;
+    double cylinder(const Vec3& point) const;
     double fade(double distance) const;
 
     const Light* light_;

@@ -24,9 +24,9 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
     bool microfacets = false;
     for (const ActiveLayer& layer : layers) {
         const Finish& finish = layer.finish->finish;
-        view.any_diffuse |= finish.diffuse != 0.0 && layer.opacity != 0.0;
-        view.back_diffuse |= finish.diffuse_back != 0.0;
-        view.any_highlight |= finish.phong != 0.0 || finish.specular != 0.0;
+        view.any_diffuse |= finish.diffuse > 0.0 && layer.opacity != 0.0;
+        view.back_diffuse |= finish.diffuse_back > 0.0;
+        view.any_highlight |= finish.phong > 0.0 || finish.specular > 0.0;
         microfacets |= layer.finish->s != 0.0;
     }
     if (view.any_highlight) view.mirrored = reflect(at.direction, at.normal);
@@ -50,13 +50,13 @@ bool Lighting::is_seen(const View& view, double n_dot_l, bool shadowless) const 
 void Lighting::one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result) {
     const Light& light = source.light();
     const SurfacePoint& at = view.at;
-    const bool illuminates_by_area = source.area() != nullptr && source.area()->area_illumination && !light.shadowless;
+    const bool illuminates_by_area = source.area() != nullptr && source.area()->area_illumination;
     const LightRay ray = source.towards(light.location, at.point);
     const double n_dot_l = dot(at.normal, ray.direction);
     if (!illuminates_by_area && !is_seen(view, n_dot_l, light.shadowless)) return;
 
     Rgb arriving = light.color;
-    if (!illuminates_by_area) arriving *= source.attenuation(light.location, at.point, ray);
+    if (!illuminates_by_area) arriving *= source.attenuation(at.point, ray);
     if (is_dark(arriving)) return;
     if (cast_shadows_ && !light.shadowless) {
         if (source.area() != nullptr) {
@@ -84,9 +84,9 @@ void Lighting::area_illumination(const LightSource& source, const Rgb& light, co
             const Vec3 location = grid.position(i, j);
             const LightRay ray = source.towards(location, view.at.point);
             const double n_dot_l = dot(view.at.normal, ray.direction);
-            if (!is_seen(view, n_dot_l, false)) continue;
-            const Rgb arriving = share * source.attenuation(location, view.at.point, ray) * light;
-            add(view, ray.direction, n_dot_l, arriving, false, result);
+            if (!is_seen(view, n_dot_l, source.light().shadowless)) continue;
+            const Rgb arriving = share * source.attenuation(view.at.point, ray) * light;
+            add(view, ray.direction, n_dot_l, arriving, source.light().shadowless, result);
         }
     }
 }
@@ -97,7 +97,7 @@ void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& l
     for (const ActiveLayer& layer : view.layers) {
         const Finish& finish = layer.finish->finish;
         const Rgb arriving = layer.above * light;
-        double diffuse = (front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
+        double diffuse = std::fmax(0.0, front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
         if (general_) diffuse *= 1.0 - layer.finish->s;
         if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
         if (front && !shadowless && view.any_highlight) result.specular += arriving * highlights(view, layer, l, n_dot_l);
@@ -108,14 +108,14 @@ void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& l
 Rgb Lighting::highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const {
     const Finish& finish = layer.finish->finish;
     double lobes = 0.0;
-    if (finish.phong != 0.0) lobes += finish.phong * phong_lobe(dot(view.mirrored, l), finish.phong_size);
-    if (finish.specular != 0.0 && !general_) {
+    if (finish.phong > 0.0) lobes += finish.phong * phong_lobe(dot(view.mirrored, l), finish.phong_size);
+    if (finish.specular > 0.0 && !general_) {
         const Vec3 half = l - view.at.direction;
         const double size = length(half);
         if (size > 0.0) lobes += finish.specular * specular_lobe(dot(half, view.at.normal) / size, layer.finish->specular_exponent);
     }
     Rgb sum(lobes);
-    if (lobes != 0.0 && finish.metallic != 0.0) sum *= metallic_tint(layer.color.rgb, finish.metallic, std::fabs(n_dot_l));
+    if (lobes != 0.0 && finish.metallic > 0.0) sum *= metallic_tint(layer.color.rgb, finish.metallic, std::fabs(n_dot_l));
     if (general_ && layer.finish->s != 0.0) sum += microfacet(view, layer, l);
     return sum;
 }
@@ -126,7 +126,7 @@ Rgb Lighting::microfacet(const View& view, const ActiveLayer& layer, const Vec3&
     if (!half_geometry(view.at.normal, l, -view.at.direction, view.incline_v, g)) return Rgb(0.0);
     const double lobe = layer.finish->s * microfacet_lobe(terms, g, layer.finish->alpha);
     const double metallic = layer.finish->finish.metallic;
-    if (metallic == 0.0) return Rgb(lobe * F(terms.F, layer.finish->f0, g.v_dot_h));
+    if (!(metallic > 0.0)) return Rgb(lobe * F(terms.F, layer.finish->f0, g.v_dot_h));
     return lobe * F(terms.F, layer.finish->f0 * (Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0))), g.v_dot_h);
 }
 

@@ -69,9 +69,17 @@ void reserve(const Scene& scene, Surfaces& surfaces) {
 }
 
 void find_camera_interiors(const Surfaces& surfaces, World& world) {
+    // Nobody asks for the list where nothing is transparent and no mirror can be fresnel's.
+    if (!world.features.transmits && !world.features.reflects) return;
     for (std::uint32_t object = 0; object < world.objects.size(); ++object) {
-        const std::uint32_t interior = world.objects[object].interior;
-        if (interior != 0 && surfaces.contains(object, world.camera.origin)) world.camera_interiors.push_back(interior);
+        if (!surfaces.contains(object, world.camera.origin)) continue;
+        // Opaque bodies around the camera count as well: they are what a transparent one is nested in.
+        std::uint32_t& interior = world.objects[object].interior;
+        if (interior == 0) {
+            world.interiors.push_back(world.interiors.front());
+            interior = static_cast<std::uint32_t>(world.interiors.size() - 1);
+        }
+        world.camera_interiors.push_back(interior);
     }
 }
 

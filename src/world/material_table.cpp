@@ -198,6 +198,7 @@ CompiledInterior compile_interior(const Object& object) {
         compiled.caustics = finish->caustics.value_or(compiled.caustics);
         compiled.refraction = finish->refraction.value_or(1.0);
     }
+    if (compiled.ior == 0.0) compiled.ior = 1.0;  // as POV-Ray reads it
     return compiled;
 }
 
