@@ -59,7 +59,7 @@ struct ShearedTriangle {
     bool cancels() const {
         constexpr double lost = 16.0;
         const double reach =
-            std::fmax(std::fabs(ax) + std::fabs(ay), std::fmax(std::fabs(bx) + std::fabs(by), std::fabs(cx) + std::fabs(cy)));
+            std::max({std::fabs(ax) + std::fabs(ay), std::fabs(bx) + std::fabs(by), std::fabs(cx) + std::fabs(cy)});
         return lost * std::fabs(u + v + w) < reach * reach;
     }
     double ax, ay, az, bx, by, bz, cx, cy, cz, u, v, w;

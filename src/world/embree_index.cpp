@@ -38,6 +38,7 @@ struct Releaser {
 };
 using DeviceHandle = std::unique_ptr<RTCDevice, Releaser<RTCDevice, rtcReleaseDevice>>;
 using SceneHandle = std::unique_ptr<RTCScene, Releaser<RTCScene, rtcReleaseScene>>;
+using BvhHandle = std::unique_ptr<RTCBVH, Releaser<RTCBVH, rtcReleaseBVH>>;
 using GeometryHandle = std::unique_ptr<RTCGeometry, Releaser<RTCGeometry, rtcReleaseGeometry>>;
 
 /// Embree's builder sets flush-to-zero in threads that it uses, the caller's among them.
@@ -95,7 +96,7 @@ const IndexData& data_of(const Arguments* args) {
 void shrink(const RTCIntersectFunctionNArguments* args) {
     const Context& context = *static_cast<Context*>(args->context);
     float& far = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar;
-    far = std::fmin(far, context.far(context.query.best.shape.t));
+    far = std::min(far, context.far(context.query.best.shape.t));
 }
 
 /// How an occlusion callback says yes.
@@ -113,24 +114,33 @@ void occluded_body(const RTCOccludedFunctionNArguments* args) {
     if (*args->valid && data.surfaces.test(data.bodies[args->primID], query_of(args))) occlude(args);
 }
 
+/// Tests the triangles of some lanes in doubles until one is met, or all of them. Kept out of the callbacks: most blocks are dropped there,
+/// and they should not pay for the registers that this needs.
+[[gnu::noinline]] bool test_lanes(const IndexData& data, const TriangleBlock& block, std::uint32_t lanes, Query& query, bool any) {
+    bool met = false;
+    for (; lanes != 0 && !(met && any); lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        if (block.seen[lane] & query.seen) met |= data.surfaces.test_face(block.face[lane], query);
+    }
+    return met;
+}
+
 void intersect_block(const RTCIntersectFunctionNArguments* args) {
     if (!*args->valid) return;
     const IndexData& data = data_of(args);
     const TriangleBlock& block = data.blocks[args->primID];
-    Context& context = *static_cast<Context*>(args->context);
-    bool better = false;
-    for (std::uint32_t lanes = lanes_met(block, context.block_ray); lanes != 0; lanes &= lanes - 1)
-        better |= data.surfaces.test_face(block.face[std::countr_zero(lanes)], context.query);
-    if (better) shrink(args);
+    const Context& context = *static_cast<Context*>(args->context);
+    const std::uint32_t lanes = lanes_met(block, context.block_ray, reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar);
+    if (lanes != 0 && test_lanes(data, block, lanes, context.query, false)) shrink(args);
 }
 
 void occluded_block(const RTCOccludedFunctionNArguments* args) {
     if (!*args->valid) return;
     const IndexData& data = data_of(args);
     const TriangleBlock& block = data.blocks[args->primID];
-    Context& context = *static_cast<Context*>(args->context);
-    for (std::uint32_t lanes = lanes_met(block, context.block_ray); lanes != 0; lanes &= lanes - 1)
-        if (data.surfaces.test_face(block.face[std::countr_zero(lanes)], context.query)) return occlude(args);
+    const Context& context = *static_cast<Context*>(args->context);
+    const std::uint32_t lanes = lanes_met(block, context.block_ray, reinterpret_cast<RTCRay*>(args->ray)->tfar);
+    if (lanes != 0 && test_lanes(data, block, lanes, context.query, true)) occlude(args);
 }
 
 void set_bounds(const RTCBoundsFunctionArguments* args, const Vec3& low, const Vec3& high) {
@@ -163,29 +173,12 @@ void bounds_of_block(const RTCBoundsFunctionArguments* args) {
     set_bounds(args, low, high);
 }
 
-/// A triangle that Embree found, met again in doubles: where the ray crosses its plane, without asking whether that is inside the edges.
-bool refine(const Surfaces& surfaces, std::uint32_t face, Query& query) {
-    const std::uint32_t object = surfaces.face_object[face];
-    const Surface& s = surfaces.objects[object];
-    if (!(s.seen & query.seen)) return false;
-    const auto& f = surfaces.faces[face];
-    const Vec3& a = surfaces.vertices[f[0]];
-    const Vec3 ab = surfaces.vertices[f[1]] - a;
-    const Vec3 ac = surfaces.vertices[f[2]] - a;
-    const Vec3 n = cross(ab, ac);
-    const double t = dot(n, a - query.ray.origin) / dot(n, query.ray.direction);
-    if (!query.range.contains(t)) return false;
-    const Vec3 p = query.ray.at(t) - a;
-    const double square = dot(n, n);
-    return query.offer({t, 0, dot(cross(p, ac), n) / square, dot(cross(ab, p), n) / square}, s.first_primitive + (face - s.first), object);
-}
-
 /// Filter of Embree's own triangles, for nearest hits and for occlusion.
 void filter_triangle(const RTCFilterFunctionNArguments* args) {
     if (!*args->valid) return;
     const IndexData& data = data_of(args);
     const unsigned triangle = reinterpret_cast<const RTCHit*>(args->hit)->primID;
-    if (!refine(data.surfaces, data.faces[triangle], query_of(args))) *args->valid = 0;
+    if (!data.surfaces.offer_plane(data.faces[triangle], query_of(args))) *args->valid = 0;
 }
 
 Bounds bounds_of_all(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects) {
@@ -194,23 +187,32 @@ Bounds bounds_of_all(const Surfaces& surfaces, const std::vector<std::uint32_t>&
     return box;
 }
 
-/// Cuts the range to its part inside the box; false if there is none.
-bool clip(const Ray& ray, const Bounds& box, Interval& range) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double o = ray.origin[axis], d = ray.direction[axis];
-        if (d == 0.0) {
-            if (o < box.min[axis] || o > box.max[axis]) return false;
-            continue;
-        }
-        const double a = (box.min[axis] - o) / d;
-        const double b = (box.max[axis] - o) / d;
-        range.min = std::fmax(range.min, std::fmin(a, b));
-        range.max = std::fmin(range.max, std::fmax(a, b));
-    }
-    return range.min <= range.max;
+/// Node of the temporary tree that says which triangles lie together. A node without children is a leaf.
+struct GroupNode {
+    GroupNode* child[2] = {nullptr, nullptr};
+    std::array<std::uint32_t, 4> faces{};
+    std::uint32_t count = 0;
+};
+
+void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) {
+    return new (rtcThreadLocalAlloc(allocator, sizeof(GroupNode), alignof(GroupNode))) GroupNode;
+}
+void set_children(void* node, void** children, unsigned count, void*) {
+    for (unsigned i = 0; i < count; ++i) static_cast<GroupNode*>(node)->child[i] = static_cast<GroupNode*>(children[i]);
+}
+void set_children_bounds(void*, const RTCBounds**, unsigned, void*) {}
+void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count, void*) {
+    auto* leaf = static_cast<GroupNode*>(create_node(allocator, 0, nullptr));
+    leaf->count = static_cast<std::uint32_t>(count);
+    for (std::size_t i = 0; i < count; ++i) leaf->faces[i] = primitives[i].primID;
+    return leaf;
 }
 
-Bounds grown(const Bounds& box, double by) { return {box.min - Vec3(by), box.max + Vec3(by)}; }
+void collect(const GroupNode& node, const IndexData& data, std::vector<TriangleBlock>& out) {
+    if (node.count > 0) out.push_back(make_block(data.surfaces, std::span(node.faces).first(node.count), data.frame));
+    for (const GroupNode* child : node.child)
+        if (child) collect(*child, data, out);
+}
 
 void set_ray(RTCRay& ray, const Context& context, const Query& query, double t_end) {
     ray.org_x = static_cast<float>(context.origin.x);
@@ -279,6 +281,36 @@ struct EmbreeIndex::State {
         attach(geometry);
     }
 
+    /// Groups triangles that lie together by the surface area heuristic, for which four in a leaf cost as much as one.
+    void make_blocks() {
+        std::vector<RTCBuildPrimitive> primitives;
+        primitives.reserve(data.faces.size());
+        for (const std::uint32_t face : data.faces) {
+            Bounds box;
+            for (const std::uint32_t vertex : data.surfaces.faces[face]) box.extend(data.frame.to_local(data.surfaces.vertices[vertex]));
+            if (!box.is_finite()) continue;  // no ray meets it
+            const glm::vec3 low(box.min), high(box.max);
+            primitives.push_back({low.x, low.y, low.z, 0, high.x, high.y, high.z, face});
+        }
+        const BvhHandle bvh(rtcNewBVH(device.get()));
+        check();
+        RTCBuildArguments arguments = rtcDefaultBuildArguments();
+        arguments.maxDepth = 64;
+        arguments.sahBlockSize = 4;
+        arguments.maxLeafSize = 4;
+        arguments.bvh = bvh.get();
+        arguments.primitives = primitives.data();
+        arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
+        arguments.createNode = create_node;
+        arguments.setNodeChildren = set_children;
+        arguments.setNodeBounds = set_children_bounds;
+        arguments.createLeaf = create_leaf;
+        const auto* root = static_cast<const GroupNode*>(rtcBuildBVH(&arguments));
+        check();
+        data.blocks.reserve(primitives.size() * 3 / 10);
+        if (root) collect(*root, data, data.blocks);
+    }
+
     void build(Precision precision, int threads) {
         const KeepFloatingPoint keep;
         device.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
@@ -294,10 +326,9 @@ struct EmbreeIndex::State {
         }
         if (!data.bodies.empty()) add_callbacks(data.bodies.size(), bounds_of_body, intersect_body, occluded_body);
         if (!data.faces.empty() && precision == Precision::fast) {
-            rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
             add_float_triangles();
         } else if (!data.faces.empty()) {
-            data.blocks = make_blocks(data.surfaces, data.faces, data.frame);
+            make_blocks();
             data.faces = {};
             add_callbacks(data.blocks.size(), bounds_of_block, intersect_block, occluded_block);
         }
@@ -305,16 +336,8 @@ struct EmbreeIndex::State {
         check();
     }
 
-    bool is_far(const Ray& ray) const {
-        const Vec3 away = (ray.origin - data.frame.centre) * data.frame.inverse_scale;
-        return !(std::fabs(away.x) < far_origin && std::fabs(away.y) < far_origin && std::fabs(away.z) < far_origin);
-    }
-
     /// For the rare ray that aims at the scene from where its rounded copy would not be good enough.
     bool test_all(Query& query, bool any) const {
-        const Vec3 away = ray_distance(query.ray);
-        Interval inside = query.range;
-        if (!clip(query.ray, grown(box, 1e-14 * (std::fabs(away.x) + std::fabs(away.y) + std::fabs(away.z))), inside)) return false;
         bool met = false;
         for (const std::uint32_t object : objects) {
             met |= data.surfaces.test(object, query);
@@ -322,7 +345,6 @@ struct EmbreeIndex::State {
         }
         return met;
     }
-    Vec3 ray_distance(const Ray& ray) const { return ray.origin - data.frame.centre; }
 };
 
 EmbreeIndex::EmbreeIndex(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects, Precision precision, int threads) {
@@ -332,26 +354,30 @@ EmbreeIndex::EmbreeIndex(const Surfaces& surfaces, const std::vector<std::uint32
 
 EmbreeIndex::~EmbreeIndex() = default;
 
-void EmbreeIndex::nearest(Query& query) const {
-    if (state_->is_far(query.ray)) {
+EmbreeIndex::Entry EmbreeIndex::enter(const Ray& ray, Interval& range) const {
+    const Bounds& box = state_->box;
+    if (contains(box, ray.origin) && range.min >= 0.0) return range.min < range.max ? Entry::inside : Entry::none;
+    const Vec3 away = ray.origin - state_->data.frame.centre;
+    const double distance = std::max({std::abs(away.x), std::abs(away.y), std::abs(away.z)});
+    if (distance < far_origin * state_->data.frame.scale) return clip(ray, box, range) ? Entry::inside : Entry::none;
+    return clip(ray, grown(box, 1e-14 * distance), range) ? Entry::far : Entry::none;
+}
+
+void EmbreeIndex::nearest(Query& query, Entry entry, const Interval& inside) const {
+    if (entry == Entry::far) {
         state_->test_all(query, false);
         return;
     }
-    Interval inside = query.range;
-    if (query.found) inside.max = std::fmin(inside.max, query.best.shape.t);
-    if (!clip(query.ray, state_->box, inside)) return;
     Context context(state_->data.frame, query, inside.min);
     RTCRayHit ray;
-    set_ray(ray.ray, context, query, inside.max);
+    set_ray(ray.ray, context, query, query.found ? std::min(inside.max, query.best.shape.t) : inside.max);
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(state_->scene.get(), &context, &ray);
 }
 
-bool EmbreeIndex::occluded(Query& query) const {
-    if (state_->is_far(query.ray)) return state_->test_all(query, true);
-    Interval inside = query.range;
-    if (!clip(query.ray, state_->box, inside)) return false;
+bool EmbreeIndex::occluded(Query& query, Entry entry, const Interval& inside) const {
+    if (entry == Entry::far) return state_->test_all(query, true);
     Context context(state_->data.frame, query, inside.min);
     RTCRay ray;
     set_ray(ray, context, query, inside.max);

@@ -17,10 +17,16 @@ public:
     EmbreeIndex(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects, Precision precision, int threads);
     ~EmbreeIndex();
 
-    /// Offers every hit that may be the nearest to the query, which may come with a best hit found elsewhere.
-    void nearest(Query& query) const;
+    /// How a ray comes to the index's box. From `far` away single precision says too little, and everything is tested.
+    enum class Entry { none, inside, far };
+    /// Cuts `range` to what is inside the box (its end may be left as it is).
+    Entry enter(const Ray& ray, Interval& range) const;
+
+    /// Offers every hit that may be the nearest to the query, which may come with a best hit found elsewhere. `entry` and `inside` are what
+    /// `enter` made of the query's ray and range.
+    void nearest(Query& query, Entry entry, const Interval& inside) const;
     /// Whether any surface that the query sees is met inside its range.
-    bool occluded(Query& query) const;
+    bool occluded(Query& query, Entry entry, const Interval& inside) const;
 
 private:
     struct State;

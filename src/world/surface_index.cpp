@@ -81,8 +81,11 @@ std::uint8_t bit(RayKind kind) {
     return 0;
 }
 
-/// Rays that are no rays meet nothing; tested once here so that no shape and no index has to survive them.
-bool is_ray(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
+/// False for rays with an infinity or a NaN in them, which meet nothing; asked here once so that no shape and no index has to survive them.
+bool is_ray(const Ray& ray) {
+    const Vec3 zeros = 0.0 * ray.origin + 0.0 * ray.direction;
+    return zeros.x + zeros.y + zeros.z == 0.0;
+}
 
 }  // namespace
 
@@ -106,19 +109,25 @@ SurfaceIndex::~SurfaceIndex() = default;
 
 bool SurfaceIndex::nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const {
     if (!is_ray(ray)) return false;
+    Interval inside = range;
+    const auto entry = embree_ ? embree_->enter(ray, inside) : EmbreeIndex::Entry::none;
+    if (entry == EmbreeIndex::Entry::none && listed_.empty()) return false;
     Query query(ray, range, bit(kind));
     for (const std::uint32_t object : listed_) surfaces_.test(object, query);
-    if (embree_) embree_->nearest(query);
+    if (entry != EmbreeIndex::Entry::none) embree_->nearest(query, entry, inside);
     if (query.found) hit = query.best;
     return query.found;
 }
 
 bool SurfaceIndex::occluded(const Ray& ray, const Interval& range) const {
     if (!is_ray(ray)) return false;
+    Interval inside = range;
+    const auto entry = embree_ ? embree_->enter(ray, inside) : EmbreeIndex::Entry::none;
+    if (entry == EmbreeIndex::Entry::none && listed_.empty()) return false;
     Query query(ray, range, seen_by::blocker);
     for (const std::uint32_t object : listed_)
         if (surfaces_.test(object, query)) return true;
-    return embree_ && embree_->occluded(query);
+    return entry != EmbreeIndex::Entry::none && embree_->occluded(query, entry, inside);
 }
 
 }  // namespace rt

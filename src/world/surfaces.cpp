@@ -1,5 +1,7 @@
 #include "world/surfaces.h"
 
+#include <algorithm>
+
 #include "world/inside.h"
 
 namespace rt {
@@ -88,6 +90,22 @@ bool Surfaces::test(std::uint32_t object, Query& query) const {
     return met && query.offer(hit, s.first_primitive, object);
 }
 
+bool Surfaces::offer_plane(std::uint32_t face, Query& query) const {
+    const Surface& s = objects[face_object[face]];
+    if (!(s.seen & query.seen)) return false;
+    const Face& f = faces[face];
+    const Vec3& a = vertices[f[0]];
+    const Vec3 ab = vertices[f[1]] - a;
+    const Vec3 ac = vertices[f[2]] - a;
+    const Vec3 n = cross(ab, ac);
+    const double t = dot(n, a - query.ray.origin) / dot(n, query.ray.direction);
+    if (!query.range.contains(t)) return false;
+    const Vec3 p = query.ray.at(t) - a;
+    const double square = dot(n, n);
+    return query.offer({t, 0, dot(cross(p, ac), n) / square, dot(cross(ab, p), n) / square}, s.first_primitive + (face - s.first),
+                       face_object[face]);
+}
+
 Vec3 Surfaces::normal(const Hit& hit, const Vec3& point) const {
     const Surface& s = objects[hit.object];
     Vec3 n;
@@ -101,9 +119,9 @@ Vec3 Surfaces::normal(const Hit& hit, const Vec3& point) const {
                 return rt::normal(shape, point, hit.shape);
         });
     }
-    // Scaled first: the square of a normal of a huge or tiny triangle leaves the range of doubles.
-    const double largest = std::fmax(std::fabs(n.x), std::fmax(std::fabs(n.y), std::fabs(n.z)));
-    n = unit(n / largest);
+    // The square of the normal of a huge or tiny triangle leaves the range of doubles.
+    if (const double square = dot(n, n); !(square > 1e-200 && square < 1e200)) n /= std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    n = unit(n);
     return s.inverse ? -n : n;
 }
 

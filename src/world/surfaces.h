@@ -40,12 +40,13 @@ struct Surface {
     std::uint32_t first_normals = flat;  ///< index into `normal_faces`
 };
 
-/// A ray's question with the best answer so far. Equal distances go to the smaller primitive, so the order of tests does not matter.
+/// A ray's question with the best answer so far; the ray and range outlive it. Equal distances go to the smaller primitive, so the order of
+/// tests does not matter.
 struct Query {
     Query(const Ray& r, const Interval& i, std::uint8_t bits) : ray(r), triangle_ray(r), range(i), seen(bits) {}
-    Ray ray;
+    const Ray& ray;
     TriangleRay triangle_ray;
-    Interval range;
+    const Interval& range;
     std::uint8_t seen;
     Hit best;
     bool found = false;
@@ -82,15 +83,17 @@ struct Surfaces {
 
     /// Nearest hit of the ray with a whole object, offered to the query; true if it is the best so far.
     bool test(std::uint32_t object, Query& query) const;
+    /// The same for one triangle, whoever sees it.
     bool test_face(std::uint32_t face, Query& query) const {
-        const std::uint32_t object = face_object[face];
-        const Surface& s = objects[object];
-        if (!(s.seen & query.seen)) return false;
         const Face& f = faces[face];
         ShapeHit hit;
-        return intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.triangle_ray, query.range, hit) &&
-               query.offer(hit, s.first_primitive + (face - s.first), object);
+        if (!intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.triangle_ray, query.range, hit)) return false;
+        const std::uint32_t object = face_object[face];
+        return query.offer(hit, objects[object].first_primitive + (face - objects[object].first), object);
     }
+
+    /// For a triangle that single precision found: where the ray meets its plane, without asking whether that is inside the edges.
+    bool offer_plane(std::uint32_t face, Query& query) const;
 
     Vec3 normal(const Hit& hit, const Vec3& point) const;
     /// Whether a ray of this direction comes from the inner side, which shows the interior texture.
