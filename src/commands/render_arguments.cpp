@@ -164,6 +164,7 @@ void choose_scene(Draft& d, const std::vector<std::string>& others) {
     if (!d.input.empty()) scenes.push_back(d.input);
     if (scenes.empty()) throw OptionError("no scene given; see raytrace --help");
     if (scenes.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' or '{}'?", scenes[0], scenes[1]));
+    if (scenes[0].empty()) throw OptionError("the scene's name is empty");
     d.job.scene = scenes[0];
     std::error_code ignored;
     const bool bare = std::filesystem::path(d.job.scene).extension().empty();

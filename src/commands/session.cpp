@@ -72,7 +72,7 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
     options.region = job.region;
     options.threads = job.threads;
     options.sampling = job.sampling;
-    if (gamma.kind == Gamma::Kind::power) options.working_gamma = gamma.power;
+    options.working_gamma = gamma.kind == Gamma::Kind::srgb ? 2.2 : gamma.power;  // 2.2: the power nearest to the sRGB curve
     options.trace.shading = *job.shading;
     options.trace.distances = *job.distances;
     options.trace.max_trace_level = job.max_trace_level;

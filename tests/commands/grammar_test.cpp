@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, GrammarMistakes,
     testing::Values(
         Mistake{{}, "no scene given; see raytrace --help"}, Mistake{{"-q"}, "no scene given; see raytrace --help"},
-        Mistake{{"a.pov", "b.pov"}, "one scene at a time: 'a.pov' or 'b.pov'?"},
+        Mistake{{""}, "the scene's name is empty"}, Mistake{{"a.pov", "b.pov"}, "one scene at a time: 'a.pov' or 'b.pov'?"},
         Mistake{{"a.pov", "--shadng", "povray"}, "unknown option '--shadng'; did you mean '--shading'?"},
         Mistake{{"a.pov", "--xyzzy"}, "unknown option '--xyzzy'"},
         Mistake{{"a.pov", "--widht=3"}, "unknown option '--widht'; did you mean '--width'?"},
