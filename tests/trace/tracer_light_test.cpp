@@ -205,6 +205,20 @@ TEST(AreaLight, corners_are_averaged_recursively) {
     EXPECT_NEAR(lit(square, {left}), 0.875, 1e-12);
 }
 
+TEST(AreaLight, samples_of_directed_lights_shine_through_point_at) {
+    // The lamp stands over (0, 0, 0) and aims at (0, 2, 0): its left sample's ray through that point goes right, so a ball on the left of
+    // the floor's point hides it and the straight ray upwards is free.
+    for (const bool parallel : {false, true}) {
+        Light l = point_light({0, 4, 0});
+        if (parallel) l.parallel = true;
+        if (!parallel) l.type = Light::Type::cylinder, l.radius = 5, l.falloff = 9;
+        l.point_at = {0, 2, 0};
+        l.area = row(2);
+        Traced t(scene_with({white_floor(), object(Sphere{Vec3(-0.5, 1, 0), 0.05}, texture(color(Rgb(1.0)), matte))}, {l}));
+        EXPECT_NEAR(floor_light(t, 0).g, 0.5, 1e-12) << parallel;
+    }
+}
+
 TEST(AreaLight, each_sample_is_asked_once) {
     AreaLight square = row(5);
     square.size2 = 4;

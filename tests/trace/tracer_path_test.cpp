@@ -179,6 +179,25 @@ TEST(Refraction, camera_inside_an_object_leaves_it_first) {
     EXPECT_EQ(t.look({0, 1.9, 0}, {1, 0, 0}).rgb, Rgb(0.0));
 }
 
+TEST(Refraction, opaque_bodies_around_the_camera_count_and_ior_0_is_1) {
+    Finish f = mirror(Rgb(0.0), Rgb(1.0));
+    f.reflection.fresnel = true;
+    f.ambient = Rgb(0.1);
+    Interior glass;
+    glass.ior = 1.5;
+    const Object ball = object(Sphere{Vec3(0.0), 1.0}, texture(color(Rgb(1.0)), f), glass);
+    const Object shell = object(Sphere{Vec3(0.0), 20.0}, texture(color(Rgb(1.0)), plain(Rgb(0.5))));
+    Scene s = scene_with({ball, shell});
+    s.camera.location = {0, 0, -5};
+    Traced t(std::move(s));
+    EXPECT_EQ(t.world->camera_interiors.size(), 1u);
+    EXPECT_RGB_NEAR(t.look({0, 0, -5}, {0, 0, 1}).rgb, Rgb(0.1 + 0.04 * 0.5), 1e-12);
+
+    glass.ior = 0.0;
+    Traced zero(scene_with({object(Sphere{Vec3(0.0), 1.0}, texture(color(Rgb(1.0), 0, 0.5), f), glass)}, {}, sky));
+    EXPECT_RGB_NEAR(zero.look({0, 0.7, -5}, {0, 0, 1}).rgb, Rgb(0.05) + 0.5 * (Rgb(0.05) + 0.5 * sky), 1e-12) << "straight, no mirror";
+}
+
 TEST(Refraction, fading_media_dim_transmitted_light_only) {
     Interior medium;
     medium.fade_distance = 2, medium.fade_power = 2, medium.fade_color = {0.5, 0.2, 0.0};

@@ -101,6 +101,13 @@ TEST(LocalLight, highlights_do_not_depend_on_opacity_and_metallic_tints_them) {
     EXPECT_RGB_NEAR(metal.look({0, 5, 0}, {0, -1, 0}).rgb, want * Rgb(1, 1 - 0.25 * (1 - F), 1 - 0.5 * (1 - F)), 1e-12);
 }
 
+TEST(LocalLight, negative_coefficients_of_lobes_mean_none) {
+    Finish f = plain(Rgb(0.5), -0.4);
+    f.phong = -0.3, f.specular = -0.3, f.diffuse_back = -0.2;
+    Traced t(scene_with({object(floor_plane(), texture(color(Rgb(1.0)), f))}, {point_light({1, 4, 0}), point_light({0, -4, 0})}));
+    EXPECT_EQ(t.look({0, 1, 0}, {0, -1, 0}).rgb, Rgb(0.5));
+}
+
 TEST(LocalLight, layers_filter_what_lies_below) {
     const Finish f = plain(Rgb(1.0));
     const PigmentColor bottom = color({0.2, 0.4, 0.6}), top = color({0.8, 0.5, 0.3}, 0.3, 0.2);
