@@ -147,9 +147,7 @@ void Lexer::skip_block_comment() {
 void Lexer::scan_number(Token& token) {
     const char* const begin = at_;
     at_ = literal_end(at_, end_);
-    // A second point is a mistake unless the exponent already ended the literal.
-    if (at_ != end_ && *at_ == '.' && std::find(begin, at_, '.') != at_)
-        fail(begin, at_ + 1, "Unexpected additional '.' in floating-point number");
+    if (at_ != end_ && *at_ == '.') fail(begin, at_ + 1, "Unexpected additional '.' in floating-point number");
     token.kind = Token::Kind::number;
     token.number = literal_value(begin, at_);
 }
