@@ -72,6 +72,7 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
     options.region = job.region;
     options.threads = job.threads;
     options.sampling = job.sampling;
+    options.alpha = job.output_alpha;
     options.working_gamma = gamma.kind == Gamma::Kind::srgb ? 2.2 : gamma.power;  // 2.2: the power nearest to the sRGB curve
     options.trace.shading = *job.shading;
     options.trace.distances = *job.distances;
