@@ -1,0 +1,16 @@
+// Interiors within interiors: water in glass, an air bubble in glass, and two that overlap, where the order of entering decides.
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 15 }
+
+camera { location <0, 2.2, -7> look_at <0, 0, 0> right x*4/3 angle 45 }
+background { rgb <0.5, 0.65, 0.9> }
+plane { y, -2.2 pigment { checker rgb 0.9 rgb <0.4, 0.2, 0.15> } }
+light_source { <5, 8, -6>, rgb 1 }
+
+#declare Clear = texture { pigment { rgbf <0.97, 0.99, 1, 0.95> } finish { ambient 0 diffuse 0.03 specular 0.6 roughness 0.005 reflection { 0, 1 fresnel } conserve_energy } }
+sphere { <-2.1, 0, 0>, 1 texture { Clear } interior { ior 1.5 } }
+sphere { <-2.1, 0, 0>, 0.7 texture { Clear } interior { ior 1.33 } }
+sphere { <0, 0.2, 0>, 0.9 texture { Clear } interior { ior 1.5 } }
+sphere { <0.1, 0.2, -0.1>, 0.4 texture { Clear } interior { ior 1 } }
+sphere { <1.9, 0.3, 0>, 0.7 texture { Clear } interior { ior 1.4 } }
+sphere { <2.4, -0.3, -0.3>, 0.7 texture { Clear } interior { ior 1.2 } }
