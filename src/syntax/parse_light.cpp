@@ -80,14 +80,20 @@ bool accept_area_item(Reader& reader, AreaLight& area, bool& is_area) {
     return true;
 }
 
+/// To POV-Ray `spotlight`, `cylinder` and `shadowless` are kinds of light: the last one stated holds. That a cylinder light is parallel
+/// outlives it.
 bool accept_general_item(Reader& reader, Light& light) {
     if (reader.accept(Word::spotlight)) {
         set_cone(light, Light::Type::spotlight, 30.0, 45.0);
+        light.shadowless = false;
     } else if (reader.accept(Word::cylinder)) {
         set_cone(light, Light::Type::cylinder, 0.75, 1.0);
+        light.shadowless = false;
+        light.parallel = true;
     } else if (reader.accept(Word::parallel)) {
         light.parallel = true;
     } else if (reader.accept(Word::shadowless)) {
+        light.type = Light::Type::point;
         light.shadowless = true;
     } else if (reader.accept(Word::fade_distance)) {
         light.fade_distance = reader.parse_float();

@@ -58,7 +58,8 @@ double LightSource::fade(double distance) const {
 
 double LightSource::attenuation(const Vec3& point, const LightRay& ray) const {
     double factor = 1.0;
-    if (light_->type == Light::Type::spotlight) factor = cone(-ray.direction);
+    // A parallel spotlight's rays are its axis; what lies behind its plane is behind the cone.
+    if (light_->type == Light::Type::spotlight) factor = cone(ray.distance < 0.0 ? ray.direction : -ray.direction);
     if (light_->type == Light::Type::cylinder) factor = cylinder(point);
     if (fades_ && factor != 0.0) factor *= fade(ray.distance);
     return factor;
