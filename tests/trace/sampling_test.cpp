@@ -25,7 +25,7 @@ constexpr int width = 61, height = 45;
 SamplingTask task_of(Sampling::Method method, int depth, double threshold, double gamma = 2.5, int block = 32) {
     SamplingTask task;
     task.sampling = {method, depth, threshold, gamma, block};
-    task.comparison_exponent = 1.0 / gamma;
+    task.comparison.exponent = 1.0 / gamma;
     task.sample = [](double x, double y, int scale) { return scenery(x / scale, y / scale); };
     return task;
 }
@@ -217,9 +217,13 @@ TEST(Sampling, FlatPicturesAreNotSampledAgain) {
 }
 
 TEST(Sampling, TransmittanceCountsAsContrast) {
-    const Contrast a(Pixel{0.5f, 0.5f, 0.5f, 0.0f}, 0.4), b(Pixel{0.5f, 0.5f, 0.5f, 0.35f}, 0.4);
+    const Contrast a(Pixel{0.5f, 0.5f, 0.5f, 0.0f}, {}), b(Pixel{0.5f, 0.5f, 0.5f, 0.35f}, {});
     EXPECT_NEAR(distance(a, b), 0.35, 1e-7);
-    EXPECT_NEAR(distance(Contrast(Pixel{0.25f, -3.0f, 0.0f, 0.0f}, 0.5), Contrast(Pixel{1.0f, 0.0f, 0.0f, 0.0f}, 0.5)), 0.5, 1e-12);
+    const Comparison root{0.5, false};
+    EXPECT_NEAR(distance(Contrast(Pixel{0.25f, -3.0f, 0.0f, 0.0f}, root), Contrast(Pixel{1.0f, 0.0f, 0.0f, 0.0f}, root)), 0.5, 1e-12);
+    const Comparison srgb{0.4, true};
+    EXPECT_NEAR(srgb(0.5), std::pow((0.5 + 0.055) / 1.055, 2.4 * 0.4), 1e-12);
+    EXPECT_EQ(srgb(-0.5), 0.0);
 }
 
 class Stopping : public testing::TestWithParam<Sampling::Method> {};

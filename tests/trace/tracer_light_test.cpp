@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/trace/tracer_scene.h"
+#include "trace/light_source.h"
 
 namespace rt {
 namespace {
@@ -195,6 +196,7 @@ TEST(AreaLight, corners_are_averaged_recursively) {
     EXPECT_NEAR(lit(row(3), {left}), 0.75, 1e-12) << "the middle sample counts twice";
     EXPECT_NEAR(lit(row(3), {middle}), 0.5, 1e-12);
     EXPECT_NEAR(lit(row(3), {left, right}), 0.5, 1e-12);
+    EXPECT_NEAR(lit(row(4), {{-1.0 / 3, 4, 0}}), 0.75, 1e-12) << "an even row is a plain mean";
     AreaLight adaptive = row(3);
     adaptive.adaptive = 0;
     EXPECT_NEAR(lit(adaptive, {middle}), 1.0, 1e-12) << "equal corners: the middle is not asked";
@@ -233,6 +235,9 @@ TEST(AreaLight, circular_samples_lie_on_a_disc) {
     round.circular = true;
     // Corner (0, 0): a = b = -0.499, moved inwards by max/length = 1/sqrt(2).
     const double c = 2 * -0.499 / std::sqrt(2.0);
+    Light lamp = point_light({0, 4, 0});
+    lamp.area = round;
+    EXPECT_RGB_NEAR(AreaGrid(lamp, Vec3(0.0)).position(0, 0), Vec3(c, 4, c), 1e-15);
     Traced hidden(area_scene(round, {{c, 4, c}}));
     EXPECT_NEAR(floor_light(hidden, 0).g, 1 - 1 / 16.0, 1e-12);
     Traced square_corner(area_scene(round, {{-1, 4, -1}}));

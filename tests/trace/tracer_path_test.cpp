@@ -133,36 +133,47 @@ TEST(Refraction, a_slab_shifts_the_ray_and_a_prism_bends_it) {
 TEST(Refraction, total_reflection_is_not_filtered_and_replaces_the_mirror) {
     Interior glass;
     glass.ior = 1.5;
-    Finish f = mirror(Rgb(0.25), Rgb(0.25));
+    // Enter from the left at 45 degrees: 28.1 inside, meets the top at 61.9 (total), leaves through the right side.
     const PigmentColor pigment = color({0.9, 0.5, 0.2}, 1.0);
-    Traced t(scene_with({object(Box{Vec3(-1.0), Vec3(1.0)}, texture(pigment, f), glass)}, {}, sky));
-    ASSERT_EQ(t.world->camera_interiors.size(), 0u);
-    // Enter from the left at 45 degrees: 28.1 inside, meets the top at 61.9 (total), leaves through the right side. Every mirror shows sky
-    // or is met inside, where it starts a path of its own; without mirrors only the two crossings filter.
     Traced bare(scene_with({object(Box{Vec3(-1.0), Vec3(1.0)}, texture(pigment, plain()), glass)}, {}, sky));
     const Radiance r = bare.look({-2, -0.5, 0.1}, {1, 1, 0});
     EXPECT_RGB_NEAR(r.rgb, pigment.rgb * pigment.rgb * sky, 1e-12);
     EXPECT_EQ(bare.tracer->counts().reflected, 1u);
     EXPECT_EQ(bare.tracer->counts().refracted, 2u);
     EXPECT_EQ(r.transmittance, 0.0);
+
+    // With mirrors and three levels: the left side's mirror shows sky, the top's is replaced, the right side's and what is behind it are
+    // black.
+    Finish f = mirror(Rgb(0.25), Rgb(0.25));
+    f.ambient = Rgb(0.4);
+    const PigmentColor half = color(pigment.rgb, 0.5);
+    Scene s = scene_with({object(Box{Vec3(-1.0), Vec3(1.0)}, texture(half, f), glass)}, {}, sky);
+    s.settings.max_trace_level = 3;
+    Traced t(std::move(s));
+    const Rgb own = 0.4 * 0.5 * half.rgb, W = 0.5 * half.rgb;
+    EXPECT_RGB_NEAR(t.look({-2, -0.5, 0.1}, {1, 1, 0}).rgb, 0.25 * sky + own + W * (own + own), 1e-12);
+    EXPECT_EQ(t.tracer->counts().reflected, 3u);
 }
 
 TEST(Refraction, nested_media_follow_the_list_not_the_normals) {
-    Interior water, glass;
-    water.ior = 1.2, glass.ior = 1.5;
-    // Two overlapping boxes: leaving the first one while in the second does not bend (it is not the last entered).
-    const Object first = object(Box{Vec3(-10, -2, -10), Vec3(10, 0, 10)}, texture(color(Rgb(1.0), 0, 1), plain()), water);
-    const Object second = object(Box{Vec3(-10, -3, -10), Vec3(10, -1, 10)}, texture(color(Rgb(1.0), 0, 1), plain()), glass);
-    const Object floor = object(floor_plane(-4), texture(checker(color({1, 0, 0}), color({0, 1, 0})), plain(Rgb(1.0))));
-    Scene s = scene_with({first, second, floor});
+    // Three overlapping slabs, entered in the order A, B, C and left in the order A, C, B. A is not the last entered: leaving it does not
+    // bend.
+    const double ior[3] = {1.2, 1.5, 1.3}, top[3] = {0, -0.5, -1}, bottom[3] = {-2, -4, -3};
+    std::vector<Object> objects;
+    for (int i = 0; i < 3; ++i) {
+        Interior medium;
+        medium.ior = ior[i];
+        objects.push_back(object(Box{Vec3(-20, bottom[i], -20), Vec3(20, top[i], 20)}, texture(color(Rgb(1.0), 0, 1), plain()), medium));
+    }
+    objects.push_back(object(floor_plane(-4.5), texture(checker(color({1, 0, 0}), color({0, 1, 0})), plain(Rgb(1.0)))));
+    Scene s = scene_with(objects);
     s.settings.max_trace_level = 12;
     Traced t(std::move(s));
     const Vec3 d = unit(Vec3(1, -1, 0));
-    const double s1 = d.x / 1.2, s2 = s1 * 1.2 / 1.5, s3 = s2 * 1.5;
-    const auto run = [](double sine, double depth) { return depth * sine / std::sqrt(1 - sine * sine); };
+    const auto run = [&](double index, double depth) { return depth * d.x / index / std::sqrt(1 - sqr(d.x / index)); };
     for (double x = -5.95; x < 5; x += 0.31) {
-        const double out_x = x + 1 + run(s1, 1) + run(s2, 2) + run(s3, 1);
-        const bool odd = static_cast<int>(std::floor(out_x)) % 2 != 0;
+        const double out_x = x + 1 + run(1.2, 0.5) + run(1.5, 0.5) + run(1.3, 2) + run(1.5, 1) + run(1.0, 0.5);
+        const bool odd = (static_cast<int>(std::floor(out_x)) + static_cast<int>(std::floor(-4.5))) % 2 != 0;
         EXPECT_EQ(t.look({x, 1, 0.5}, d).rgb, odd ? Rgb(0, 1, 0) : Rgb(1, 0, 0)) << x;
     }
 }
