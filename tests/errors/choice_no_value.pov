@@ -1,0 +1,7 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sphere { 0, 1
+  finish { ambient 0.1
+    //! raytrace: D=ggx G
+  }
+}

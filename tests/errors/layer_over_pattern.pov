@@ -1,0 +1,6 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sphere { 0, 1
+  texture { checker texture { pigment { rgb 1 } } texture { pigment { rgb 0 } } }
+  texture { pigment { rgbt 1 } }
+}

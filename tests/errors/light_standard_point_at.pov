@@ -1,0 +1,7 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+light_source {
+  <4, 6, -5>, rgb 1
+  point_at 0
+  spotlight
+}

@@ -1,0 +1,9 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+mesh2 {
+  vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+  face_indices {
+    2,
+    <0, 1, 2>, <0, -1, 2>
+  }
+}

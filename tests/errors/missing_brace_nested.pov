@@ -1,0 +1,8 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sphere { 0, 1
+  texture {
+    pigment { rgb <1, 0, 0>
+    finish { ambient 1 }
+  }
+}

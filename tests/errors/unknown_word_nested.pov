@@ -1,0 +1,9 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sphere {
+  0, 1
+  texture {
+    pigment { rgb 1 }
+    finish { ambient 1 difuse 0.5 }
+  }
+}

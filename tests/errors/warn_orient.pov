@@ -1,0 +1,4 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sphere { 0, 1 }
+light_source { 0, rgb 1 area_light x, 2*y, 3, 4 orient }
