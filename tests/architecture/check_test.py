@@ -22,10 +22,10 @@ BREACHES = {
     "<glm/vec3.hpp> has no place": ("src/geometry/a.h", "#include <glm/vec3.hpp>\n"),
     "only main ends the program": ("src/syntax/a.cpp", "void f() {\n    std::exit(1);\n}\n"),
     "only commands print": ("src/syntax/a.cpp", 'void f() {\n    fmt::print("x");\n}\n'),
-    "401 lines, at most 400": ("src/core/a.h", "\n" * 401),
+    "401 lines, at most 400": ("tests/core/a.h", "\n" * 401),
     "61 lines, at most 60": ("src/main.cpp", "\n" * 61),
     "a function of 62 lines": ("src/core/a.cpp", "namespace rt {\nclass A {\n" + LONG_FUNCTION + "};\n}\n"),
-    "a function of 64 lines": ("tests/core/a.cpp", "A::A(int n) : a_{n}, b_(n) {\n" + "    // {\n" + LONG_FUNCTION[10:-2] + "\n}\n"),
+    "a function of 64 lines": ("src/scene/a.cpp", "A::A(int n) : a_{n}, b_(n) {\n" + "    // {\n" + LONG_FUNCTION[10:-2] + "\n}\n"),
     "unfinished work": ("src/core/a.h", "// TO" + "DO: later\n"),
 }
 
