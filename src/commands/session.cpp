@@ -73,7 +73,8 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
     options.threads = job.threads;
     options.sampling = job.sampling;
     options.alpha = job.output_alpha;
-    options.working_gamma = gamma.kind == Gamma::Kind::srgb ? 2.2 : gamma.power;  // 2.2: the power nearest to the sRGB curve
+    options.working_gamma = gamma.power;
+    options.working_srgb = gamma.kind == Gamma::Kind::srgb;
     options.trace.shading = *job.shading;
     options.trace.distances = *job.distances;
     options.trace.max_trace_level = job.max_trace_level;

@@ -207,9 +207,14 @@ struct Worker {
     bool complete = true;
 };
 
+Comparison comparison_of(const RenderOptions& options) {
+    const double gamma = options.working_srgb ? 1.0 : options.working_gamma;
+    return {gamma / options.sampling.gamma, options.working_srgb};
+}
+
 void prepare(Worker& worker, const World& world, const RenderOptions& options) {
     worker.tracer = std::make_unique<Tracer>(world, options.trace);
-    worker.task = {options.sampling, options.working_gamma / options.sampling.gamma, options.stop, {}};
+    worker.task = {options.sampling, comparison_of(options), options.stop, {}};
     worker.task.sample = [&world, &options, tracer = worker.tracer.get()](double x, double y, int scale) {
         const Radiance light = tracer->camera_ray(camera_ray(world.camera, x, y, options.width * scale, options.height * scale));
         return Pixel{static_cast<float>(light.rgb.r), static_cast<float>(light.rgb.g), static_cast<float>(light.rgb.b),

@@ -18,9 +18,10 @@ struct RenderOptions {
     std::optional<Region> region;  ///< pixels outside stay 0; clipped to the picture
     int threads = 0;               ///< 0: all cores
     Sampling sampling;
-    /// Exponent of the anti-aliasing comparison for a working gamma g other than 1 is g / Antialias_Gamma.
+    /// The scene's working space, for the comparison of colours in anti-aliasing. A legacy scene has gamma 1.
     double working_gamma = 1.0;
-    bool alpha = false;  ///< the picture keeps its transmittance; otherwise it is 0 everywhere and anti-aliasing does not compare it
+    bool working_srgb = false;  ///< the working space is the sRGB curve; working_gamma says nothing then
+    bool alpha = false;         ///< the picture keeps its transmittance; otherwise it is 0 everywhere and anti-aliasing does not compare it
     TraceOptions trace;
     const std::atomic<bool>* stop = nullptr;    ///< set by Ctrl-C: keep the rows that are finished and return
     std::function<void(double done)> progress;  ///< called from one worker at a time, done in 0..1, at most ten times a second

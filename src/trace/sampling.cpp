@@ -2,13 +2,17 @@
 
 #include <cmath>
 
+#include "film/encode.h"
+
 namespace rt {
 
-Contrast::Contrast(const Pixel& p, double exponent)
-    : r(std::pow(std::fmax(p.r, 0.0), exponent)),
-      g(std::pow(std::fmax(p.g, 0.0), exponent)),
-      b(std::pow(std::fmax(p.b, 0.0), exponent)),
-      transmittance(p.transmittance) {}
+double Comparison::operator()(double value) const {
+    const Encoding from_srgb{.working = {Curve::Kind::srgb, 1.0}};
+    return std::pow(std::fmax(srgb ? to_linear(value, from_srgb) : value, 0.0), exponent);
+}
+
+Contrast::Contrast(const Pixel& p, const Comparison& comparison)
+    : r(comparison(p.r)), g(comparison(p.g)), b(comparison(p.b)), transmittance(p.transmittance) {}
 
 double distance(const Contrast& a, const Contrast& b) {
     return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) + std::abs(a.transmittance - b.transmittance);

@@ -21,10 +21,17 @@ struct Region {
 /// (i + 1/2, j + 1/2) with scale 1. Asked outside the picture, too. The same point gives the same pixel whenever it is asked.
 using Sample = std::function<Pixel(double x, double y, int scale)>;
 
+/// What makes of a colour the number that anti-aliasing compares: linear light to the power of 1 / Antialias_Gamma.
+struct Comparison {
+    double exponent = 1.0 / 2.5;  ///< working gamma / Antialias_Gamma
+    bool srgb = false;            ///< the sRGB curve is decoded first
+    double operator()(double value) const;
+};
+
 /// Everything but the rectangle.
 struct SamplingTask {
     Sampling sampling;
-    double comparison_exponent = 1.0 / 2.5;   ///< working gamma / Antialias_Gamma
+    Comparison comparison;
     const std::atomic<bool>* stop = nullptr;  ///< looked at before every pixel
     Sample sample;
 
@@ -53,11 +60,11 @@ struct PixelSum {
     Pixel pixel() const { return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b), static_cast<float>(transmittance)}; }
 };
 
-/// A pixel as anti-aliasing compares it: colours raised to a power, transmittance as it is.
+/// A pixel as anti-aliasing compares it: colours as numbers of a comparison, transmittance as it is.
 struct Contrast {
     double r = 0.0, g = 0.0, b = 0.0, transmittance = 0.0;
     Contrast() = default;
-    Contrast(const Pixel& p, double exponent);
+    Contrast(const Pixel& p, const Comparison& comparison);
 };
 
 /// Sum of the absolute differences, what the threshold is compared with.

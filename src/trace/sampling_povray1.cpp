@@ -45,7 +45,7 @@ private:
 
     void set(Cell& c, const Pixel& value) {
         c.value = value;
-        c.contrast = Contrast(value, task_.comparison_exponent);
+        c.contrast = Contrast(value, task_.comparison);
     }
 
     /// The mean of the centre and n x n samples. Offsets grow by repeated addition, which decides ties on edges.

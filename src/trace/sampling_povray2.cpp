@@ -52,7 +52,7 @@ private:
         if (n.pixel == number_) return n;
         n.pixel = number_;
         n.value = task_.sample(x_ + static_cast<double>(column) / steps_, y_ + static_cast<double>(row) / steps_, 1);
-        n.contrast = Contrast(n.value, task_.comparison_exponent);
+        n.contrast = Contrast(n.value, task_.comparison);
         return n;
     }
 
