@@ -20,12 +20,14 @@ public:
     bool occluded(const Ray& ray, const Interval& range) const;
     Vec3 normal(const Hit& hit, const Vec3& point) const { return surfaces_.normal(hit, point); }
     const Surfaces& surfaces() const { return surfaces_; }
+    /// Objects that are tested one by one for every ray.
+    const std::vector<std::uint32_t>& listed() const { return listed_; }
     /// Whether an Embree index is in use.
     bool indexed() const { return embree_ != nullptr; }
 
 private:
     Surfaces surfaces_;
-    std::vector<std::uint32_t> listed_;  ///< objects tested one by one for every ray
+    std::vector<std::uint32_t> listed_;
     std::unique_ptr<EmbreeIndex> embree_;
 };
 

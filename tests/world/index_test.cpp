@@ -1,0 +1,212 @@
+// The index against brute force, bit for bit; and closed meshes from inside.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdlib>
+
+#include "tests/world/random_scene.h"
+#include "world/surface_index.h"
+
+namespace rt {
+namespace {
+
+/// RAYTRACE_DEEP=1 casts a hundred times the rays.
+int effort() { return std::getenv("RAYTRACE_DEEP") ? 100 : 1; }
+
+World compiled(const Scene& scene, IndexKind index, Precision precision = Precision::exact) {
+    CompileOptions options;
+    options.index = index;
+    options.precision = precision;
+    options.threads = 1;
+    return compile(scene, options, no_messages);
+}
+
+struct Answer {
+    bool found = false;
+    Hit hit;
+    bool operator==(const Answer& other) const {
+        const auto same = [](double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); };
+        const ShapeHit &a = hit.shape, &b = other.hit.shape;
+        return found == other.found && hit.object == other.hit.object && hit.primitive == other.hit.primitive && a.part == b.part &&
+               same(a.t, b.t) && same(a.u, b.u) && same(a.v, b.v);
+    }
+    std::string text() const {
+        return found ? fmt::format("object {} primitive {} t {:a} u {:a} v {:a} part {}", hit.object, hit.primitive, hit.shape.t,
+                                   hit.shape.u, hit.shape.v, hit.shape.part)
+                     : "no hit";
+    }
+};
+
+Answer ask(const World& world, const Ray& ray, const Interval& range, RayKind kind) {
+    Answer answer;
+    answer.found = world.nearest(ray, range, kind, answer.hit);
+    return answer;
+}
+
+std::string describe(const Ray& r, const Interval& range) {
+    return fmt::format("origin {:a} {:a} {:a} direction {:a} {:a} {:a} range {:a} {:a}", r.origin.x, r.origin.y, r.origin.z, r.direction.x,
+                       r.direction.y, r.direction.z, range.min, range.max);
+}
+
+Interval random_range(Random& random, double extent) {
+    Interval range;
+    if (random.chance(0.5)) range.min = extent * random.log(1e-9, 1.0);
+    if (random.chance(0.3)) range.max = range.min + extent * random.log(1e-3, 10.0);
+    return range;
+}
+
+class EveryScale : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(World, EveryScale, testing::Values(1e-3, 0.1, 1.0, 30.0, 1e3, 1e6));
+
+TEST_P(EveryScale, ExactIndexFindsWhatBruteForceFinds) {
+    const double extent = GetParam();
+    constexpr RayKind kinds[] = {RayKind::image, RayKind::reflected, RayKind::shadow};
+    int differences = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        Random random(1000 * seed + std::bit_cast<std::uint64_t>(extent) % 997);
+        const Scene scene = random_scene(random, seed < 4 ? 40 : 15, extent);
+        const World brute = compiled(scene, IndexKind::brute_force);
+        const World index = compiled(scene, IndexKind::embree);
+        ASSERT_TRUE(index.surfaces->indexed());
+        ASSERT_FALSE(brute.surfaces->indexed());
+        int hits = 0;
+        const int rays = 2100 * effort();
+        for (int i = 0; i < rays && differences < 5; ++i) {
+            const Ray ray = random_ray(random, scene, extent);
+            const Interval range = random_range(random, extent);
+            const Answer expected = ask(brute, ray, range, kinds[i % 3]);
+            const Answer found = ask(index, ray, range, kinds[i % 3]);
+            hits += expected.found;
+            if (!(found == expected)) {
+                ++differences;
+                ADD_FAILURE() << found.text() << " instead of " << expected.text() << '\n' << describe(ray, range) << " seed " << seed;
+            }
+            ASSERT_EQ(index.occluded(ray, range), brute.occluded(ray, range)) << describe(ray, range);
+        }
+        EXPECT_GT(hits, rays / 10);
+    }
+}
+
+/// How often and how far two worlds disagree.
+struct Disagreement {
+    int rays = 0, other_object = 0;
+    double worst = 0.0;  ///< of the distances where both meet the same
+
+    void compare(const Answer& expected, const Answer& found, double extent) {
+        ++rays;
+        if (expected.found != found.found || (found.found && expected.hit.primitive != found.hit.primitive))
+            ++other_object;
+        else if (found.found)
+            worst = std::fmax(worst, std::fabs(expected.hit.shape.t - found.hit.shape.t) / extent);
+    }
+    std::string text() const {
+        return fmt::format("{} of {} rays meet something else; the others differ by at most {:.1e} extents", other_object, rays, worst);
+    }
+};
+
+TEST_P(EveryScale, FastIndexDisagreesRarelyAndLittle) {
+    const double extent = GetParam();
+    Random random(7);
+    Disagreement anywhere, at_edges;
+    for (int s = 0; s < 4; ++s) {
+        Scene scene = random_scene(random, 40, extent);
+        MeshData mesh = closed_mesh(2000);
+        for (Vec3& vertex : mesh.vertices) vertex *= extent;
+        Object object;
+        object.shape = Mesh{mesh};
+        scene.objects.insert(scene.objects.end(), 10, object);
+        for (std::size_t i = 0; i < 10; ++i)
+            scene.objects.end()[-1 - static_cast<std::ptrdiff_t>(i)].transform = Transform::scale(Vec3(0.1 * random.real(1.0, 9.0)));
+        const World exact = compiled(scene, IndexKind::embree);
+        const World fast = compiled(scene, IndexKind::embree, Precision::fast);
+        for (int i = 0; i < 1000 * effort(); ++i) {
+            const Ray ray{random.in_cube(2.0 * extent), random.direction()};
+            anywhere.compare(ask(exact, ray, {}, RayKind::image), ask(fast, ray, {}, RayKind::image), extent);
+            const Ray aimed = random_ray(random, scene, extent);
+            if (length(aimed.origin) > 4.0 * extent) continue;
+            at_edges.compare(ask(exact, aimed, {}, RayKind::image), ask(fast, aimed, {}, RayKind::image), extent);
+        }
+    }
+    fmt::print("fast, extent {}: anywhere {}; at edges {}\n", extent, anywhere.text(), at_edges.text());
+    EXPECT_LE(anywhere.other_object, 2 + anywhere.rays / 1000);
+    EXPECT_LE(at_edges.other_object, at_edges.rays / 5);
+    EXPECT_LT(std::fmax(anywhere.worst, at_edges.worst), 1e-6);
+}
+
+TEST(ClosedMesh, NoRayLeavesThroughEdgesOrVertices) {
+    const MeshData mesh = closed_mesh(10000);
+    ASSERT_GT(mesh.faces.size(), 9000u);
+    for (const double scale : {1.0, 1e-3, 1e6}) {
+        Scene scene;
+        Object object;
+        object.shape = Mesh{mesh};
+        object.transform = Transform::scale(Vec3(scale, 0.7 * scale, scale)).then(Transform::rotate({10, 20, 30}, Rotation::povray));
+        scene.objects.push_back(object);
+        const World world = compiled(scene, IndexKind::embree);
+        Random random(3);
+        for (int i = 0; i < 4000 * effort(); ++i) {
+            const auto& face = mesh.faces[static_cast<std::size_t>(random.whole(static_cast<int>(mesh.faces.size())))];
+            const Vec3 a = object.transform->point(mesh.vertices[face[0]]), b = object.transform->point(mesh.vertices[face[1]]);
+            const double f = random.chance(0.3) ? 0.0 : random.real(0.0, 1.0);
+            const Vec3 origin = random.in_cube(0.3 * scale);
+            const Ray ray{origin, unit(a + f * (b - a) - origin)};
+            ASSERT_TRUE(ask(world, ray, {}, RayKind::image).found) << describe(ray, {});
+            ASSERT_TRUE(world.occluded(ray, {})) << describe(ray, {});
+        }
+    }
+}
+
+TEST(Ties, GoToTheFirstInTheFile) {
+    // Thirty copies of each face, in an index that visits them in its own order.
+    Scene scene;
+    Object box, sphere, triangle;
+    box.shape = Box{{-1, -1, 0}, {1, 1, 1}};
+    sphere.shape = Sphere{{0, 0, 1}, 1.0};
+    triangle.shape = Triangle{{-3, -3, 0}, {3, -3, 0}, {0, 3, 0}};
+    for (int i = 0; i < 30; ++i)
+        for (const Object& object : {sphere, triangle, box}) scene.objects.push_back(object);
+    for (const IndexKind kind : {IndexKind::embree, IndexKind::brute_force, IndexKind::automatic}) {
+        const World world = compiled(scene, kind);
+        const Answer on_axis = ask(world, {{0, 0, -4}, {0, 0, 1}}, {}, RayKind::image);
+        EXPECT_EQ(on_axis.text(), ask(world, {{0, 0, -4}, {0, 0, 1}}, {}, RayKind::shadow).text());
+        EXPECT_EQ(on_axis.hit.object, 0u);
+        EXPECT_EQ(on_axis.hit.shape.t, 4.0);
+        const Answer aside = ask(world, {{0.5, 0.5, -4}, {0, 0, 1}}, {}, RayKind::image);
+        EXPECT_EQ(aside.hit.object, 1u);
+        EXPECT_EQ(aside.hit.primitive, 1u);
+    }
+}
+
+TEST(Index, AutomaticKeepsAFewObjectsInAListAndManyInTheIndex) {
+    Scene scene;
+    Object sphere;
+    sphere.shape = Sphere{};
+    scene.objects.assign(3, sphere);
+    EXPECT_FALSE(compiled(scene, IndexKind::automatic).surfaces->indexed());
+    scene.objects.assign(300, sphere);
+    EXPECT_TRUE(compiled(scene, IndexKind::automatic).surfaces->indexed());
+}
+
+TEST(Index, AHugeGroundDoesNotBlurTheRest) {
+    // A ground of 1e9 and spheres of 1e-3: kept in one index, the padding alone would be a thousand times a sphere.
+    Random random(11);
+    Scene scene;
+    Object ground;
+    ground.shape = Sphere{{0, -1e9, 0}, 1e9};
+    scene.objects.push_back(ground);
+    for (int i = 0; i < 200; ++i) {
+        Object object;
+        object.shape = Sphere{random.in_cube(0.1) + Vec3(0, 0.2, 0), 1e-3};
+        scene.objects.push_back(object);
+    }
+    const World world = compiled(scene, IndexKind::embree), brute = compiled(scene, IndexKind::brute_force);
+    EXPECT_EQ(world.surfaces->listed(), std::vector<std::uint32_t>{0});
+    for (int i = 0; i < 5000; ++i) {
+        const Ray ray{random.in_cube(1.0) + Vec3(0, 1.1, 0), random.direction()};
+        ASSERT_EQ(ask(world, ray, {}, RayKind::image).text(), ask(brute, ray, {}, RayKind::image).text());
+    }
+}
+
+}  // namespace
+}  // namespace rt
