@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 
 namespace rt {
 
@@ -12,14 +13,14 @@ constexpr std::string_view spelling(std::string_view enumerator) {
     return enumerator;
 }
 
-constexpr std::array spellings{std::string_view{},
+constexpr std::string_view spellings[]{std::string_view{},
 #define RT_SPELLING(name) spelling(#name),
-                               RT_WORDS(RT_SPELLING)
+                                       RT_WORDS(RT_SPELLING)
 #undef RT_SPELLING
 };
 
 constexpr std::size_t slots = 2048;  // a power of two, a quarter full
-static_assert(slots >= 4 * spellings.size());
+static_assert(slots >= 4 * std::size(spellings));
 
 /// FNV-1a.
 constexpr std::size_t hash(std::string_view name) {
@@ -31,7 +32,7 @@ constexpr std::size_t hash(std::string_view name) {
 /// Open addressing with linear probing; 0 marks a free slot.
 constexpr std::array<std::uint16_t, slots> make_table() {
     std::array<std::uint16_t, slots> table{};
-    for (std::size_t i = 1; i < spellings.size(); ++i) {
+    for (std::size_t i = 1; i < std::size(spellings); ++i) {
         std::size_t slot = hash(spellings[i]);
         while (table[slot] != 0) slot = (slot + 1) % slots;
         table[slot] = static_cast<std::uint16_t>(i);

@@ -1,0 +1,44 @@
+// libFuzzer's entry: any bytes are a scene or an error, never a crash, a hang or a file touched.
+#include <cstddef>
+#include <cstdint>
+
+#include "syntax/parser.h"
+
+namespace {
+
+/// Two files that includes find; the second includes itself.
+std::optional<std::string> read_include(const std::string& path) {
+    if (path == "a.inc") return "#local L = 2; #declare A = L; #ifndef(B) #declare B = sphere { 0, A } #end\n";
+    if (path == "self.inc") return "#include \"self.inc\"\n";
+    return std::nullopt;
+}
+
+/// The first byte chooses how features that are not modelled are met.
+rt::ParseOptions options_from(std::uint8_t choice) {
+    rt::ParseOptions options;
+    options.read_include = read_include;
+    options.library_paths = {"library"};
+    options.max_include_depth = 8;
+    options.max_includes = 64;
+    options.max_nesting = 50;
+    options.max_file_bytes = std::size_t{1} << 20;
+    options.declares = {{"Width", "3"}, {"Label", "text"}};
+    options.lenient = (choice & 1) != 0;
+    options.collect_unmodelled = (choice & 2) != 0;
+    options.rotation = (choice & 4) != 0 ? rt::Rotation::csc473 : rt::Rotation::povray;
+    if ((choice & 8) != 0) options.version = 3.6;
+    return options;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+    try {
+        rt::parse_text({"fuzz.pov", text}, options_from(data[0]), [](std::string_view) {});
+    } catch (const rt::SceneError&) {
+    } catch (const rt::LimitError&) {
+    }
+    return 0;
+}
