@@ -132,6 +132,15 @@ void write_image(const Film& film, const std::string& path, ImageFormat format, 
     file.commit();
 }
 
+void check_image_target(const std::string& path, ImageFormat format) {
+    if (format != ImageFormat::png && format != ImageFormat::ppm) (void)image_module();
+    struct stat info {};
+    const bool exists = stat(path.c_str(), &info) == 0;
+    const bool replaceable = !exists || S_ISREG(info.st_mode) || S_ISDIR(info.st_mode);
+    // Opening a pipe would already tell its reader that something comes.
+    if (path != "-" && replaceable) const OutputFile probe(path);
+}
+
 namespace {
 
 float* begin_picture(void* user, int width, int height, int channels, int max_value) {

@@ -27,6 +27,10 @@ const char* extension(ImageFormat format);
 /// Throws OutputError with the path and the system's reason, OptionError when the format needs a module that is not installed.
 void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata);
 
+/// Throws what write_image() would throw at once for such a target (missing folder, no permission, module not installed), so that nobody
+/// waits for a picture that cannot be written. Leaves no trace.
+void check_image_target(const std::string& path, ImageFormat format);
+
 /// A picture as stored: 8- and 16-bit formats hold integers in 0..max_value, float formats hold linear floats (max_value 0).
 struct StoredImage {
     int width = 0, height = 0, channels = 0;  ///< 1..4 channels

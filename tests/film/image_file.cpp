@@ -261,6 +261,18 @@ TEST_F(Files, StandardOutputGetsTheSameBytes) {
     }
 }
 
+TEST_F(Files, TargetsAreCheckedWithoutATrace) {
+    std::ofstream(in("p.png")) << "old";
+    check_image_target(in("p.png"), ImageFormat::png);
+    check_image_target(in("new.exr"), ImageFormat::exr);
+    check_image_target("-", ImageFormat::ppm);
+    check_image_target("/dev/full", ImageFormat::png);
+    EXPECT_THROW(check_image_target(in("none/p.png"), ImageFormat::png), OutputError);
+    EXPECT_THROW(check_image_target(folder.string(), ImageFormat::png), OutputError);
+    EXPECT_EQ(content(in("p.png")), "old");
+    EXPECT_THAT(names(), ElementsAre("p.png"));
+}
+
 TEST_F(Files, EmptyPicturesAreRefused) { EXPECT_THAT(failure(in("p.png"), Film()), HasSubstr("the picture has no pixels")); }
 
 }  // namespace
