@@ -9,6 +9,7 @@
 
 #include "core/source.h"
 #include "film/image_file.h"
+#include "tests/film/module.h"
 
 namespace rt {
 namespace {
@@ -115,8 +116,12 @@ TEST_F(Reading, ErrorsNameTheFile) {
     EXPECT_EQ(failure(folder.string()), "Cannot read '" + folder.string() + "': Is a directory");
     const std::string empty = file("");
     EXPECT_EQ(failure(empty), "Cannot read '" + empty + "': the file is empty");
-    EXPECT_THAT(failure(file("sphere { 0, 1 }\n")), HasSubstr("Cannot read '"));
     EXPECT_THAT(failure(file("\x89PNG but not really")), HasSubstr("corrupted by ASCII conversion"));
+}
+
+TEST_F(Reading, WhatIsNoPictureIsRefused) {
+    NEEDS_IMAGE_MODULE();
+    EXPECT_THAT(failure(file("sphere { 0, 1 }\n")), HasSubstr("Cannot read '"));
 }
 
 TEST_F(Reading, EveryTruncationIsAnErrorAndNoCrash) {
@@ -152,6 +157,7 @@ bool maps_openimageio() {
 }
 
 TEST_F(Reading, OnlyOtherFormatsLoadOpenImageIO) {
+    NEEDS_IMAGE_MODULE();
     // In a fresh process, where no other test has loaded it.
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
