@@ -75,6 +75,8 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
     options.alpha = job.output_alpha;
     options.working_gamma = gamma.power;
     options.working_srgb = gamma.kind == Gamma::Kind::srgb;
+    options.alpha = job.output_alpha;
+    options.working_srgb = gamma.kind == Gamma::Kind::srgb;
     options.trace.shading = *job.shading;
     options.trace.distances = *job.distances;
     options.trace.max_trace_level = job.max_trace_level;
@@ -170,6 +172,7 @@ int run_session(RenderJob job) {
     }
     if (job.stats) {
         stats.rays = result.counts;
+        stats.threads = result.threads;
         stats.non_finite = result.non_finite;
         stats.peak_bytes = peak_memory();
         fmt::print(stderr, "{}", stats_text(job, scene, stats));

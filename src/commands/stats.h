@@ -19,6 +19,7 @@ struct Phases {
 struct Stats {
     Phases phases;
     RayCounts rays;
+    int threads = 0;
     std::uint64_t non_finite = 0;
     std::size_t peak_bytes = 0;
 };

@@ -1,6 +1,7 @@
 #include "tests/commands/support.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -73,6 +74,19 @@ pid_t start(const std::vector<std::string>& words, const std::string& out_file, 
     _exit(127);
 }
 
+/// Until the process has several threads, or has ended.
+void wait_for_workers(pid_t child) {
+    const fs::path tasks = fmt::format("/proc/{}/task", child);
+    std::error_code gone;
+    siginfo_t ended{};
+    while (ended.si_pid == 0) {
+        const auto count = std::distance(fs::directory_iterator(tasks, gone), fs::directory_iterator());
+        if (gone || count > 1) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+    }
+}
+
 int wait_for(pid_t child) {
     int status = 0;
     waitpid(child, &status, 0);
@@ -100,14 +114,12 @@ Outcome run(const std::vector<std::string>& words, const std::string& out_file) 
     return outcome;
 }
 
-Outcome run_and_interrupt(const std::vector<std::string>& words, int milliseconds, int signals) {
+Outcome run_and_interrupt(const std::vector<std::string>& words, const std::vector<int>& signals) {
     const std::string out = stream_name("out");
     const std::string err = stream_name("err");
     const pid_t child = start(words, out, err);
-    for (int i = 0; i < signals; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(i == 0 ? milliseconds : 20));
-        kill(child, SIGINT);
-    }
+    wait_for_workers(child);
+    for (const int signal : signals) kill(child, signal);
     Outcome outcome;
     outcome.status = wait_for(child);
     outcome.out = take_file(out);

@@ -31,9 +31,8 @@ struct Outcome {
 /// Runs the program in the current folder. `out_file` receives standard output where it is not empty.
 Outcome run(const std::vector<std::string>& words, const std::string& out_file = "");
 
-/// Starts the program, waits until its standard error is silent for no reason of ours (`signal_after` milliseconds), sends `signals`
-/// SIGINTs and waits for its end.
-Outcome run_and_interrupt(const std::vector<std::string>& words, int milliseconds, int signals);
+/// Starts the program, waits until it has worker threads, sends it `signals` in one go and waits for its end.
+Outcome run_and_interrupt(const std::vector<std::string>& words, const std::vector<int>& signals);
 
 /// A small scene that renders at once: a lit sphere.
 extern const char* const small_scene;
