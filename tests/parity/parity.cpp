@@ -66,6 +66,7 @@ Parity compare_with_povray(const std::string& scene_path, const std::string& pic
     render_options.sampling = options.sampling;
     render_options.trace = povray_options();
     render_options.working_gamma = scene.settings.gamma.power;
+    render_options.working_srgb = scene.settings.gamma.kind == Gamma::Kind::srgb;
     const RenderResult result = render(world, render_options);
 
     Encoding encoding;
