@@ -236,6 +236,21 @@ bool differs_near(const LinearPlanes& a, const LinearPlanes& b, int y, int reach
     return false;
 }
 
+/// Sorted ascending, by three counting passes over the bits: floats that are not negative are ordered as their bits are.
+std::vector<float> sorted_ascending(std::vector<float> values) {
+    constexpr std::uint32_t digits = 2048;
+    std::vector<float> other(values.size());
+    for (int shift = 0; shift < 33; shift += 11) {
+        const auto digit = [shift](float value) { return (std::bit_cast<std::uint32_t>(value) >> shift) % digits; };
+        std::vector<std::size_t> place(digits + 1);
+        for (float value : values) ++place[digit(value) + 1];
+        std::partial_sum(place.begin(), place.end(), place.begin());
+        for (float value : values) other[place[digit(value)]++] = value;
+        values.swap(other);
+    }
+    return values;
+}
+
 /// The value at which the running sum of the sorted errors reaches `share` of their total.
 float weighted_percentile(const std::vector<float>& sorted, float total_error, float share) {
     float running = 0.0f;
@@ -277,8 +292,7 @@ FlipSummary summarise(const Plane& error) {
     const float sum_of_errors = std::accumulate(error.values.begin(), error.values.end(), 0.0f);
     summary.mean = static_cast<double>(sum_of_errors) / count;
     summary.mean_exact = std::accumulate(error.values.begin(), error.values.end(), 0.0) / count;
-    std::vector<float> sorted = error.values;
-    std::sort(sorted.begin(), sorted.end());
+    const std::vector<float> sorted = sorted_ascending(error.values);
     summary.min = static_cast<double>(sorted.front());
     summary.max = static_cast<double>(sorted.back());
     summary.median = static_cast<double>(weighted_percentile(sorted, sum_of_errors, 0.5f));

@@ -88,6 +88,15 @@ TEST(Difference, BitDepthsAndChannelCountsAreBroughtTogether) {
     EXPECT_EQ(transparent.max_channel, 3);
 }
 
+TEST(Difference, FuzzIsAShareOf65536AndReachedByEquality) {
+    const StoredImage black = picture(1, 1, 1, 65535, {0}), white = picture(1, 1, 1, 65535, {65535}),
+                      eighth = picture(1, 1, 1, 65535, {8192});
+    EXPECT_EQ(compare(black, white, {100.0}).differing, 0u);
+    EXPECT_EQ(compare(black, white, {99.99}).differing, 1u);
+    EXPECT_EQ(compare(black, eighth, {12.5}).differing, 1u);
+    EXPECT_EQ(compare(black, eighth, {12.51}).differing, 0u);
+}
+
 TEST(Difference, SizesThatDifferGiveNoOtherFigure) {
     const StoredImage a = picture(2, 3, 1, 255, std::vector<float>(6, 1.0f)), b = picture(3, 2, 1, 255, std::vector<float>(6, 9.0f));
     const Difference result = compare(a, b, {});
