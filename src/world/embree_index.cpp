@@ -41,7 +41,7 @@ using SceneHandle = std::unique_ptr<RTCScene, Releaser<RTCScene, rtcReleaseScene
 using BvhHandle = std::unique_ptr<RTCBVH, Releaser<RTCBVH, rtcReleaseBVH>>;
 using GeometryHandle = std::unique_ptr<RTCGeometry, Releaser<RTCGeometry, rtcReleaseGeometry>>;
 
-/// Embree's builder sets flush-to-zero in threads that it uses, the caller's among them.
+/// Embree sets flush-to-zero in the threads that it builds with; whether the caller is one of them is up to its scheduler.
 class KeepFloatingPoint {
 public:
     KeepFloatingPoint() { std::fegetenv(&environment_); }
@@ -165,8 +165,8 @@ void bounds_of_block(const RTCBoundsFunctionArguments* args) {
     for (const auto& corner : block.corner) {
         for (int axis = 0; axis < 3; ++axis) {
             for (int lane = 0; lane < 4; ++lane) {
-                low[axis] = std::fmin(low[axis], double{corner[axis][lane]});
-                high[axis] = std::fmax(high[axis], double{corner[axis][lane]});
+                low[axis] = std::min(low[axis], double{corner[axis][lane]});
+                high[axis] = std::max(high[axis], double{corner[axis][lane]});
             }
         }
     }
