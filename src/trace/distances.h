@@ -13,6 +13,7 @@ namespace rt {
 struct SurfacePoint {
     Vec3 point{0.0};
     Vec3 normal{0.0};     ///< unit, turned against the ray
+    Vec3 side{0.0};       ///< unit, of either sign: stands on the surface itself, where `normal` may be interpolated
     Vec3 direction{0.0};  ///< the ray's, unit
     double t = 0.0;       ///< length of the ray up to here
     double error = 0.0;   ///< bound of the distance between `point` and the surface; 0 where it does not matter
@@ -35,7 +36,7 @@ public:
     /// too (Waechter, Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection").
     Vec3 leave(const SurfacePoint& at, const Vec3& direction) const {
         if (povray_) return at.point;
-        return at.point + (dot(at.normal, direction) < 0.0 ? -at.error : at.error) * at.normal;
+        return at.point + (dot(at.side, direction) < 0.0 ? -at.error : at.error) * at.side;
     }
 
     /// Where traced rays find hits.

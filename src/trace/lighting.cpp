@@ -14,7 +14,7 @@ Lighting::Lighting(const World& world, const TraceOptions& options, const Distan
     : world_(world),
       general_(options.shading == ShadingModel::general && world.features.general_specular),
       cast_shadows_(options.quality.shadows),
-      shadows_(world, rules, options.distances) {
+      shadows_(world, rules, options) {
     for (const Light& light : world.lights) sources_.emplace_back(light);
 }
 

@@ -17,7 +17,7 @@ enum class Distances {
 
 /// Parts of the picture that POV-Ray's +Q leaves out.
 struct Quality {
-    bool lighting = true;   ///< else the pigment's rgb as it is
+    bool lighting = true;  ///< else the pigment's rgb as it is
     bool shadows = true;
     bool transmission = true;
     bool reflection = true;
@@ -30,18 +30,18 @@ struct Quality {
 struct TraceOptions {
     ShadingModel shading = ShadingModel::general;
     Distances distances = Distances::scaled;
-    std::optional<int> max_trace_level;   ///< overrides the scene's
-    std::optional<double> adc_bailout;    ///< likewise
+    std::optional<int> max_trace_level;  ///< overrides the scene's
+    std::optional<double> adc_bailout;   ///< likewise
     Quality quality;
 };
 
 /// How pixels become samples.
 struct Sampling {
     enum class Method {
-        none,      ///< the pixel's centre
-        grid,      ///< the centres of n x n sub-pixels, averaged
-        povray1,   ///< POV-Ray's non-adaptive method, without jitter
-        povray2,   ///< POV-Ray's adaptive method, without jitter
+        none,     ///< the pixel's centre
+        grid,     ///< the centres of n x n sub-pixels, averaged
+        povray1,  ///< POV-Ray's non-adaptive method, without jitter
+        povray2,  ///< POV-Ray's adaptive method, without jitter
     };
     Method method = Method::none;
     int depth = 3;           ///< grid: n; povray: +R, 1..9

@@ -38,7 +38,7 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       quality_(options.quality),
       rules_(options.distances, world.scene_extent),
       lighting_(world, options, rules_),
-      layers_at_(world),
+      layers_at_(world, options.quality.quick_colors),
       max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, 256)),
       adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {}
 
@@ -115,6 +115,7 @@ SurfacePoint Recursion::surface_point(const Ray& ray, const Hit& hit) const {
     SurfacePoint at;
     at.point = ray.at(hit.shape.t);
     at.normal = world_.normal(hit, at.point);
+    at.side = world_.flat_side(hit, at.normal);
     at.direction = ray.direction;
     at.t = hit.shape.t;
     at.error = rules_.point_error(at.point, hit.shape.t);

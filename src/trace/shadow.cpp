@@ -13,8 +13,8 @@ constexpr std::int64_t most_cached_samples = 1 << 20;
 
 }  // namespace
 
-Shadows::Shadows(const World& world, const DistanceRules& rules, Distances distances)
-    : world_(world), rules_(rules), opaque_first_(distances == Distances::scaled), layers_(world) {}
+Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options)
+    : world_(world), rules_(rules), opaque_first_(options.distances == Distances::scaled), layers_(world, options.quality.quick_colors) {}
 
 Rgb Shadows::transmitted(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer) {
     ++rays;
@@ -51,6 +51,7 @@ Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, st
         left -= hit.shape.t;
         from = {.point = point,
                 .normal = dot(normal, ray.direction) > 0.0 ? -normal : normal,
+                .side = world_.flat_side(hit, normal),
                 .direction = ray.direction,
                 .t = hit.shape.t,
                 .error = rules_.point_error(point, hit.shape.t),

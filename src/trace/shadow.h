@@ -13,7 +13,7 @@ namespace rt {
 
 class Shadows {
 public:
-    Shadows(const World& world, const DistanceRules& rules, Distances distances);
+    Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options);
 
     /// Share of the light that reaches `at` along `ray`, per channel. `inside` lists the interiors that the ray which found `at` was in.
     /// `answer`, if given, receives what was crossed.

@@ -10,7 +10,8 @@ namespace rt {
 
 class SurfaceLayers {
 public:
-    explicit SurfaceLayers(const World& world);
+    /// With `quick`, in quick colours where the scene states them.
+    SurfaceLayers(const World& world, bool quick);
 
     /// Layers of the side of `object` that is seen, top layer first. Valid until the next call.
     std::span<const LayerSample> at(const CompiledObject& object, bool inside, const Vec3& point);
@@ -21,8 +22,9 @@ private:
         const std::vector<LayerNode>* pattern = nullptr;
         std::vector<LayerSample> constant;
     };
-    static Side side(const std::vector<LayerNode>& layers);
+    Side side(const std::vector<LayerNode>& layers) const;
 
+    bool quick_;
     std::vector<Side> outside_, inside_;  ///< by material
     std::vector<LayerSample> scratch_;
 };

@@ -63,6 +63,12 @@ Vec3 flat_normal(const Surfaces& all, const Surface& s, const Hit& hit) {
     return s.mirrored ? -n : n;
 }
 
+/// n / |n|, also where the square of the normal of a huge or tiny triangle leaves the range of doubles.
+Vec3 in_range_unit(Vec3 n) {
+    if (const double square = dot(n, n); !(square > 1e-200 && square < 1e200)) n /= std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    return unit(n);
+}
+
 Vec3 triangle_normal(const Surfaces& all, const Surface& s, const Hit& hit, const Vec3& point) {
     if (s.first_normals == Surface::flat) return flat_normal(all, s, hit);
     const auto& n = all.normal_faces[s.first_normals + (hit.primitive - s.first_primitive)];
@@ -106,6 +112,12 @@ bool Surfaces::offer_plane(std::uint32_t face, Query& query) const {
                        face_object[face]);
 }
 
+Vec3 Surfaces::flat_side(const Hit& hit, const Vec3& normal) const {
+    const Surface& s = objects[hit.object];
+    if (s.kind != SurfaceKind::triangles || s.first_normals == Surface::flat) return normal;
+    return in_range_unit(flat_normal(*this, s, hit));
+}
+
 Vec3 Surfaces::normal(const Hit& hit, const Vec3& point) const {
     const Surface& s = objects[hit.object];
     Vec3 n;
@@ -119,9 +131,7 @@ Vec3 Surfaces::normal(const Hit& hit, const Vec3& point) const {
                 return rt::normal(shape, point, hit.shape);
         });
     }
-    // The square of the normal of a huge or tiny triangle leaves the range of doubles.
-    if (const double square = dot(n, n); !(square > 1e-200 && square < 1e200)) n /= std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    n = unit(n);
+    n = in_range_unit(n);
     return s.inverse ? -n : n;
 }
 

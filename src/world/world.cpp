@@ -17,6 +17,8 @@ bool World::occluded(const Ray& ray, const Interval& range) const { return surfa
 
 Vec3 World::normal(const Hit& hit, const Vec3& point) const { return surfaces->normal(hit, point); }
 
+Vec3 World::flat_side(const Hit& hit, const Vec3& normal) const { return surfaces->surfaces().flat_side(hit, normal); }
+
 bool World::met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const {
     return surfaces->surfaces().met_from_inside(hit, point, direction);
 }

@@ -66,6 +66,8 @@ public:
     bool occluded(const Ray& ray, const Interval& range) const;
     /// Unit normal as the shape states it (negated by `inverse`), not turned to the viewer; interpolated for smooth triangles.
     Vec3 normal(const Hit& hit, const Vec3& point) const;
+    /// Unit normal that stands on the surface itself, of either sign: `normal` but for smooth faces, where it is the flat one.
+    Vec3 flat_side(const Hit& hit, const Vec3& normal) const;
     /// Whether a ray of this direction meets the surface from its inner side, which shows the interior texture. For most shapes that is
     /// the sign of direction . normal; in a mesh the flat side of the face decides, whatever its interpolated normal.
     bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;

@@ -123,5 +123,19 @@ TEST(PovrayDistances, are_absolute) {
     EXPECT_EQ(far.look({0, 0, 0}, {0, -1, 0}).rgb, Rgb(0.0)) << "nothing exists beyond 1e7";
 }
 
+// An interpolated normal faces a light that stands below the triangle's plane: POV-Ray lights the surface, since nothing else is in the
+// way. A ray that left along the interpolated normal would meet the triangle itself.
+TEST(ScaledDistances, an_open_smooth_face_does_not_shadow_itself) {
+    const Vec3 tilted = unit(Vec3(1, 0.5, 0));
+    const Scene s = scene_with({object(SmoothTriangle{Vec3(-5, 0, -5), Vec3(-5, 0, 5), Vec3(5, 0, 0), tilted, tilted, tilted},
+                                       texture(color(Rgb(1.0)), plain(Rgb(0.0), 1.0)))},
+                               {point_light({100, -10, 0})});
+    for (const TraceOptions& options : {povray_options(), TraceOptions{}}) {
+        Traced t(s, options);
+        const Vec3 l = unit(Vec3(100, -10, 0));
+        EXPECT_RGB_NEAR(t.look({0, 3, 0}, {0, -1, 0}).rgb, Rgb(dot(tilted, l)), 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace rt

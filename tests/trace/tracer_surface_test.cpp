@@ -199,5 +199,17 @@ TEST(Quality, without_lighting_the_lowest_visible_layer_s_pigment_is_shown) {
     EXPECT_EQ(t.look({0, 1, 0}, {0, -1, 0}).rgb, bottom.rgb);
 }
 
+TEST(Quality, quick_colours_stand_for_pigments_up_to_5) {
+    Pigment pigment = checker(color({1, 0, 0}), color({1, 0, 0}));
+    pigment.quick_color = color({0, 0, 1});
+    const Scene s = scene_with({object(floor_plane(), texture(pigment, plain(Rgb(1.0))))});
+    for (const auto& [quality, want] : {std::pair{5, Rgb(0, 0, 1)}, std::pair{6, Rgb(1, 0, 0)}}) {
+        TraceOptions options = povray_options();
+        options.quality = Quality::povray(quality);
+        Traced t(s, options);
+        EXPECT_RGB_NEAR(t.look({0.5, 1, 0.5}, {0, -1, 0}).rgb, want, 1e-15);
+    }
+}
+
 }  // namespace
 }  // namespace rt
