@@ -104,7 +104,8 @@ void parse_default(Reader& reader) {
         const Token next = reader.peek();
         if (reader.accept(Word::texture)) {
             parse_texture(reader, layers);
-            if (is_patterned(*layers)) reader.fail(reader.peek().span, "Default texture cannot be material map or tiles.");
+            if (is_patterned(*layers)) reader.fail(reader.last_place(), "Default texture cannot be material map or tiles.");
+            if ((*layers)->size() > 1) reader.fail(reader.last_place(), "Default texture cannot be layered.");
         } else if (next.is(Word::camera) || next.is(Word::radiosity)) {
             reader.take();
             skip_unmodelled_block(reader, next);
@@ -112,7 +113,7 @@ void parse_default(Reader& reader) {
         } else if (!accept_layer_part(reader, layers)) {
             break;
         }
-        reader.default_texture() = std::vector<Texture>{layers->edit().back()};
+        reader.default_texture() = *layers;
     }
     reader.end_block();
 }

@@ -27,8 +27,8 @@ Transform parse_matrix(Reader& reader) {
         m[i] = reader.parse_float();
         if (i != 11) reader.accept_comma();
     }
-    const Span close = reader.peek().span;
     reader.expect('>');
+    const Span close = reader.last_place();
     for (int i = 0; i < 3; ++i) {
         if (m[i] != 0.0 || m[3 + i] != 0.0 || m[6 + i] != 0.0) continue;
         reader.warn(close, "Illegal matrix column: Scale by 0.0. Changed to 1.0.");

@@ -64,6 +64,8 @@ Token Reader::take() {
     return token;
 }
 
+Span Reader::last_place() const { return state_->last; }
+
 bool Reader::accept(Word w) {
     if (!peek().is(w)) return false;
     take();

@@ -31,6 +31,7 @@ public:
     // --- tokens; no directive and no comment is ever seen here
     const Token& peek();
     Token take();
+    Span last_place() const;  ///< of the token taken last
     bool accept(Word w);
     bool accept(char symbol);
     /// The same for the very next token of the text: a directive that stands there instead is not carried out yet, since the value that

@@ -63,6 +63,7 @@ TEST(LightBlock, ConeKeywordsFollowTheirTypeAndTheTypeResetsThem) {
     EXPECT_EQ(l.point_at, Vec3(1, 0, 0));
     EXPECT_EQ(light("0 rgb 1 spotlight radius 8 point_at x cylinder").radius, 0.75);
     EXPECT_EQ(light("0 rgb 1 spotlight radius 8 point_at x cylinder").point_at, Vec3(1, 0, 0));
+    EXPECT_EQ(light("0 rgb 1 spotlight tightness 8 cylinder").tightness, 0.0);
 }
 
 TEST(LightBlock, ConeKeywordsNeedATypeThatHasThem) {

@@ -92,6 +92,10 @@ TEST(Shapes, PolygonContours) {
     EXPECT_THAT(p.messages, ElementsAre(HasSubstr("Polygon not closed.")));
 }
 
+TEST(Shapes, ADoubledFirstPointClosesNoContour) {
+    EXPECT_THAT(parse_block("polygon { 6, <0,0>, <0,0>, <1,0>, <1,1>, <0,1>, <0,0> }").messages, IsEmpty());
+}
+
 TEST(Shapes, PolygonErrorsAndWhatIsNeverHit) {
     EXPECT_EQ(error_of("polygon { 2, 0, x }"), "Polygon needs at least three points.");
     EXPECT_EQ(error_of("polygon { 4, 0, x, y }"), "Expected 'numeric expression', } found instead");

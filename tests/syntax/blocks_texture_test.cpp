@@ -135,10 +135,11 @@ TEST(TextureBlock, ColoursBelongInAPigment) {
               "Keyword 'color' can only be used in a pigment or density statement.");
 }
 
-TEST(DefaultBlock, KeepsOnlyTheTopLayer) {
+TEST(DefaultBlock, HasOneLayerTheLastOneStated) {
     const Object o = only("#default { texture { pigment { rgb 1 } } texture { pigment { rgbt <0,1,0,0.5> } } } sphere { 0, 1 }");
     ASSERT_EQ((*o.texture)->size(), 1u);
     EXPECT_EQ(color_of(o).rgb, Rgb(0, 1, 0));
+    EXPECT_EQ(parse_block(std::string(red_over_grey) + "#default { texture { T } }").error, "Default texture cannot be layered.");
     EXPECT_EQ(parse_block("#default { interior { ior 1 } }").error, "No matching } in 'default', interior found instead");
 }
 
