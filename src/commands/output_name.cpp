@@ -26,8 +26,11 @@ OutputTarget output_target(const OutputRequest& request, const std::string& scen
     OutputTarget target;
     if (!request.to_file) return target;
     const std::string stem = std::filesystem::path(scene).stem().string();
-    target.path = request.name.empty() || request.name.ends_with('/') ? request.name + stem : request.name;
-    const bool named = !request.name.empty() && !request.name.ends_with('/');
+    std::string folder = request.name;
+    std::error_code ignored;
+    if (!folder.empty() && !folder.ends_with('/') && std::filesystem::is_directory(folder, ignored)) folder += '/';
+    const bool named = !folder.empty() && !folder.ends_with('/');
+    target.path = named ? request.name : folder + stem;
     ImageFormat by_name = ImageFormat::png;
     if (request.format)
         target.format = *request.format;

@@ -28,10 +28,12 @@ double decode(double stored, const Encoding& encoding) {
 
 double highest(const Encoding& encoding) { return encoding.bits == 8 ? 255.0 : 65535.0; }
 
-/// The number nearest to a fraction, clamped; NaN becomes 0.
+/// The number nearest to a fraction, clamped; NaN becomes 0. The product is rounded to single precision, as POV-Ray's is: it decides where
+/// a value as plain as 0.7 stands just below half a step (178.49999 of 255) and POV-Ray writes the upper one.
 std::uint16_t level(double fraction, const Encoding& encoding) {
     if (!(fraction > 0.0)) return 0;
-    return static_cast<std::uint16_t>(std::floor(std::fmin(fraction, 1.0) * highest(encoding) + 0.5));
+    const float product = static_cast<float>(std::fmin(fraction, 1.0)) * static_cast<float>(highest(encoding));
+    return static_cast<std::uint16_t>(std::floor(static_cast<double>(product) + 0.5));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct Encoding {
 double to_linear(double value, const Encoding& encoding);
 /// Working-space value to the file's 0..1 range before clamping.
 double encode(double value, const Encoding& encoding);
-/// floor(clamp(encode(v)) (2^bits - 1) + 1/2), NaN becomes 0.
+/// floor(clamp(encode(v)) (2^bits - 1) + 1/2) with the product in single precision, as POV-Ray has it; NaN becomes 0.
 std::uint16_t quantise(double value, const Encoding& encoding);
 /// All pixels, interleaved RGB or (un-premultiplied) RGBA, row by row from the top.
 std::vector<std::uint16_t> quantise(const Film& film, const Encoding& encoding);

@@ -64,5 +64,10 @@ TEST(OutputName, TypeLettersMayCarryBits) {
     EXPECT_EQ(bits, 16);
 }
 
+TEST(OutputName, AnExistingFolderIsNoFileName) {
+    const OutputTarget target = output_target({testing::TempDir() + ".", false, {}, true}, "scenes/ball.pov");
+    EXPECT_EQ(target.path, testing::TempDir() + "./ball.png");
+}
+
 }  // namespace
 }  // namespace rt

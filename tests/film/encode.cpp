@@ -219,5 +219,16 @@ TEST(Dither, KeepsTheMeanOfFlatAreas) {
     EXPECT_NEAR(alpha / 4096.0, 254.7, 0.02);
 }
 
+// 255 times the float nearest to 0.7 is 178.49999; POV-Ray's single-precision product is 178.5 and its file holds 179. Likewise 0.9 and
+// 0.1.
+TEST(Quantise, ties_of_plain_values_as_povray_writes_them) {
+    Encoding raw;
+    raw.raw = true;
+    EXPECT_EQ(quantise(0.7f, raw), 179);
+    EXPECT_EQ(quantise(0.9f, raw), 230);
+    EXPECT_EQ(quantise(0.1f, raw), 26);
+    EXPECT_EQ(quantise(0.3f, raw), 77);
+}
+
 }  // namespace
 }  // namespace rt
