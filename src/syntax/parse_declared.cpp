@@ -1,6 +1,5 @@
 // The blocks that `#declare NAME =` may name.
 #include "syntax/blocks.h"
-#include "syntax/parameters.h"
 #include "syntax/texture_layers.h"
 #include "syntax/unmodelled.h"
 

@@ -2,7 +2,6 @@
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
 #include "syntax/legacy_keywords.h"
-#include "syntax/parameters.h"
 #include "syntax/unmodelled.h"
 
 namespace rt {

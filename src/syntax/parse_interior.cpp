@@ -1,7 +1,6 @@
 // interior { }
 #include "syntax/blocks.h"
 #include "syntax/legacy_keywords.h"
-#include "syntax/parameters.h"
 #include "syntax/unmodelled.h"
 
 namespace rt {

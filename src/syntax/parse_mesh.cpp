@@ -1,5 +1,4 @@
 // mesh { } : triangles one by one.
-#include "syntax/parameters.h"
 #include "syntax/parse_shape.h"
 #include "syntax/unmodelled.h"
 

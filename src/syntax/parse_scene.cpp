@@ -1,7 +1,6 @@
 // The statements of a file, and what is decided when it ends.
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
-#include "syntax/parameters.h"
 #include "syntax/unmodelled.h"
 
 namespace rt {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "syntax/parameters.h"
 
 namespace rt {
 
