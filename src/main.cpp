@@ -1,12 +1,12 @@
 // Runs one command and turns an exception into a message and an exit status.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <new>
 
 #include "commands/commands.h"
 #include "commands/interrupt.h"
+#include "commands/text.h"
 #include "core/source.h"
 
 namespace {
@@ -17,13 +17,14 @@ constexpr int exit_limit = 4;
 constexpr int exit_internal = 5;
 
 int report(int status, const char* what, const char* before = "raytrace: ") {
-    fmt::print(stderr, "{}{}\n", before, what);
+    rt::write_stderr(fmt::format("{}{}\n", before, what));
     return status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    rt::open_standard_streams();
     rt::install_signal_handlers();
     try {
         return rt::run_program(rt::Words(argv + 1, argv + argc));

@@ -159,8 +159,8 @@ int run_compare(const Words& words) {
         job.a = pictures[0];
         job.b = pictures[1];
         return run(job);
-    } catch (const OptionError& error) {  // status 1 would mean "a warning" here
-        fmt::print(stderr, "raytrace: {}\n", error.what());
+    } catch (const std::runtime_error& error) {  // statuses 1 and 3 have meanings of their own here
+        write_stderr(fmt::format("raytrace: {}\n", error.what()));
         return static_cast<int>(Verdict::unreadable);
     }
 }

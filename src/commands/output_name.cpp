@@ -20,6 +20,13 @@ bool has_extension(const std::string& name, ImageFormat format) {
            (format == ImageFormat::tiff && found == ".tif");
 }
 
+/// Something that exists and takes bytes as they come: a pipe, /dev/stdout, ... Its name stays as it is.
+bool is_device(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status);
+}
+
 }  // namespace
 
 OutputTarget output_target(const OutputRequest& request, const std::string& scene) {
@@ -28,15 +35,16 @@ OutputTarget output_target(const OutputRequest& request, const std::string& scen
     const std::string stem = std::filesystem::path(scene).stem().string();
     std::string folder = request.name;
     std::error_code ignored;
-    if (!folder.empty() && !folder.ends_with('/') && std::filesystem::is_directory(folder, ignored)) folder += '/';
+    ImageFormat by_name = ImageFormat::png;
+    const bool picture = format_of(folder, by_name);
+    if (!picture && !folder.empty() && !folder.ends_with('/') && std::filesystem::is_directory(folder, ignored)) folder += '/';
     const bool named = !folder.empty() && !folder.ends_with('/');
     target.path = named ? request.name : folder + stem;
-    ImageFormat by_name = ImageFormat::png;
     if (request.format)
         target.format = *request.format;
     else if (named && !request.povray_rules && format_of(target.path, by_name))
         target.format = by_name;
-    if (target.path == "-") return target;
+    if (target.path == "-" || is_device(target.path)) return target;
     const bool complete = named && (has_extension(target.path, target.format) ||
                                     (!request.povray_rules && format_of(target.path, by_name) && by_name == target.format));
     if (!complete) target.path += fmt::format(".{}", extension(target.format));

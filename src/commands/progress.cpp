@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "commands/text.h"
 
 namespace rt {
 
@@ -28,15 +29,14 @@ std::string progress_text(double done, double seconds, double pixels) {
 Progress::Progress(bool wanted, double pixels) : shown_(wanted && isatty(STDERR_FILENO) == 1), pixels_(pixels) {}
 
 Progress::~Progress() {
-    if (shown_) fmt::print(stderr, "{}", clear_line);
+    if (shown_) write_stderr(clear_line);
 }
 
 void Progress::update(double done) {
     const Clock::time_point now = Clock::now();
     if (!shown_ || now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
-    fmt::print(stderr, "{}{}", clear_line, progress_text(done, std::chrono::duration<double>(now - start_).count(), pixels_));
-    std::fflush(stderr);
+    write_stderr(clear_line + progress_text(done, std::chrono::duration<double>(now - start_).count(), pixels_));
 }
 
 }  // namespace rt

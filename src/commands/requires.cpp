@@ -89,7 +89,7 @@ int run_requires(const Words& words) {
             else
                 write_stdout(text_of(scene, needs));
         } catch (const SceneError& error) {  // the other scenes still count
-            fmt::print(stderr, "{}\n", error.what());
+            write_stderr(fmt::format("{}\n", error.what()));
             status = 1;
         }
     }

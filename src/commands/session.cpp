@@ -97,7 +97,9 @@ Encoding encoding_of(const RenderJob& job, const Gamma& gamma) {
 
 RenderResult trace(const World& world, const RenderJob& job, const Gamma& gamma, const StopOnSignal& signals) {
     RenderOptions options = render_options(job, gamma);
-    Progress progress(job.progress && !job.quiet, static_cast<double>(job.width) * job.height);
+    const Region all{0, 0, job.width, job.height};
+    const Region seen = options.region.value_or(all);
+    Progress progress(job.progress && !job.quiet, static_cast<double>(seen.x1 - seen.x0) * (seen.y1 - seen.y0));
     options.stop = &signals.stop();
     if (progress.shown()) options.progress = [&](double done) { progress.update(done); };
     return render(world, options);
@@ -107,8 +109,8 @@ RenderResult trace(const World& world, const RenderJob& job, const Gamma& gamma,
 int write(const RenderResult& result, const RenderJob& job, const Scene& scene) {
     OutputTarget target = output_target(job.output, job.scene);
     if (!result.complete) {
-        if (target.path.empty() || target.path == "-") {
-            fmt::print(stderr, "raytrace: interrupted\n");
+        if (target.path.empty() || target.path == "-" || !std::filesystem::path(target.path).has_extension()) {
+            write_stderr("raytrace: interrupted\n");
             return exit_interrupted;
         }
         target.path = partial_name(target.path);
@@ -116,7 +118,7 @@ int write(const RenderResult& result, const RenderJob& job, const Scene& scene) 
     if (!target.path.empty())
         write_image(result.film, target.path, target.format, encoding_of(job, scene.settings.gamma), {picture_metadata(job, scene)});
     if (result.complete) return 0;
-    fmt::print(stderr, "raytrace: interrupted; what was finished is in '{}'\n", target.path);
+    write_stderr(fmt::format("raytrace: interrupted; what was finished is in '{}'\n", target.path));
     return exit_interrupted;
 }
 
@@ -136,7 +138,7 @@ std::vector<std::string> default_library_paths() {
 
 MessageSink message_sink(bool quiet) {
     if (quiet) return [](std::string_view) {};
-    return [](std::string_view text) { fmt::print(stderr, "{}{}", text, text.ends_with('\n') ? "" : "\n"); };
+    return [](std::string_view text) { write_stderr(fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n")); };
 }
 
 int run_session(RenderJob job) {
@@ -158,6 +160,8 @@ int run_session(RenderJob job) {
         const Timed timed(stats.phases.build);
         world = compile(scene, compile_options(job), messages);
     }
+    if (const OutputTarget target = output_target(job.output, job.scene); !target.path.empty() && target.path != "-")
+        check_image_target(target.path, target.format);
     const StopOnSignal signals;  // until the picture is written, so that no half file stays
     RenderResult result;
     {
@@ -175,7 +179,7 @@ int run_session(RenderJob job) {
         stats.threads = result.threads;
         stats.non_finite = result.non_finite;
         stats.peak_bytes = peak_memory();
-        fmt::print(stderr, "{}", stats_text(job, scene, stats));
+        write_stderr(stats_text(job, scene, stats));
     }
     return status;
 }

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <limits>
-
 #include "commands/names.h"
 
 namespace rt {
@@ -61,7 +59,7 @@ std::string stats_text(const RenderJob& job, const Scene& scene, const Stats& st
     text += ray_line("camera", rays.camera, p.trace) + ray_line("shadow", rays.shadow, p.trace);
     text += ray_line("reflected", rays.reflected, p.trace) + ray_line("refracted", rays.refracted, p.trace) + ray_line("all", all, p.trace);
     text += fmt::format("memory: peak {:.1f} MB\n", static_cast<double>(stats.peak_bytes) * 1e-6);
-    text += fmt::format("threads: {}\n", worker_count(job.threads, std::numeric_limits<std::size_t>::max()));
+    text += fmt::format("threads: {}\n", stats.threads);
     text += fmt::format("precision: {}, distances: {}, shading: {}\n", name_of(precision_names, *job.precision),
                         name_of(distances_names, *job.distances), name_of(shading_names, *job.shading));
     text += fmt::format("gamma: working space {}, file {}\n", gamma_text(scene.settings.gamma), file_gamma_text(job, scene.settings.gamma));

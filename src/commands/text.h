@@ -21,5 +21,9 @@ std::string sceneinfo_text(const Scene& scene);
 
 /// Writes all of `text` to standard output; throws OutputError if it is closed or full.
 void write_stdout(std::string_view text);
+/// Messages: a standard error that is closed or full loses them, and nothing else.
+void write_stderr(std::string_view text) noexcept;
+/// Gives closed standard streams to /dev/null, so that no file that is opened later takes their place.
+void open_standard_streams() noexcept;
 
 }  // namespace rt

@@ -64,6 +64,11 @@ TEST(OutputName, TypeLettersMayCarryBits) {
     EXPECT_EQ(bits, 16);
 }
 
+TEST(OutputName, ADeviceKeepsItsName) {
+    EXPECT_EQ(output_target({"/dev/null", false, {}, true}, "ball.pov").path, "/dev/null");
+    EXPECT_EQ(output_target({"/dev/null", true, {}, true}, "ball.pov").path, "/dev/null");
+}
+
 TEST(OutputName, AnExistingFolderIsNoFileName) {
     const OutputTarget target = output_target({testing::TempDir() + ".", false, {}, true}, "scenes/ball.pov");
     EXPECT_EQ(target.path, testing::TempDir() + "./ball.png");

@@ -1,9 +1,11 @@
 // The program itself, on small scenes: exit status, streams, files.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -103,6 +105,26 @@ TEST_F(Program, AnUnwritableFolderIsStatusThree) {
     EXPECT_NE(outcome.err.find("nowhere/out.png"), std::string::npos);
     std::filesystem::create_directory("taken.png");
     EXPECT_EQ(run({"a.pov", "--size=8x8", "-o", "taken.png"}).status, 3);
+}
+
+// It would take hours to find out after the picture is traced.
+TEST_F(Program, AnUnwritableFolderIsFoundBeforeTheWorkBegins) {
+    EXPECT_EQ(run({"a.pov", "--size=15000x15000", "--ss=64", "-o", "nowhere/out.png"}).status, 3);
+}
+
+TEST_F(Program, MessagesThatCannotBeWrittenCostNoPicture) {
+    here.write("warns.pov", std::string(small_scene) + "\n#warning \"careful\"\n");
+    for (const char* stderr_to : {"2>/dev/full", "2>&-"}) {
+        std::filesystem::remove("w.png");
+        EXPECT_EQ(std::system(fmt::format("'{}' warns.pov --size=8x8 --stats -o w.png {}", PROGRAM, stderr_to).c_str()), 0) << stderr_to;
+        EXPECT_TRUE(here.has("w.png")) << stderr_to;
+        EXPECT_EQ(WEXITSTATUS(std::system(fmt::format("'{}' nosuch.pov {}", PROGRAM, stderr_to).c_str())), 1) << stderr_to;
+    }
+}
+
+TEST_F(Program, CompareSaysFourWhenItCannotWrite) {
+    ASSERT_EQ(run({"a.pov", "--size=8x8", "-o", "a.png"}).status, 0);
+    EXPECT_EQ(run({"compare", "a.png", "a.png", "-o", "nowhere/d.png"}).status, 4);
 }
 
 TEST_F(Program, AFullDiskIsStatusThree) {
