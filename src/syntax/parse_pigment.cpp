@@ -13,6 +13,7 @@ constexpr PigmentColor stand_in{Rgb(0.5), 0.0, 0.0};
 
 /// Two colours or two pigment blocks; what is missing has its default.
 CheckerPigment parse_checker(Reader& reader) {
+    const Span place = reader.last_place();
     CheckerPigment checker;
     const Pigment blue{PigmentColor{Rgb(0, 0, 1), 0, 0}, {}, {}};
     const Pigment green{PigmentColor{Rgb(0, 1, 0), 0, 0}, {}, {}};
@@ -24,6 +25,7 @@ CheckerPigment parse_checker(Reader& reader) {
             cell = parse_pigment(reader, std::move(cell));
             reader.accept_comma();
         }
+        limit_nodes(reader, place, 1 + count_nodes(checker.cells[0]) + count_nodes(checker.cells[1]));
         return checker;
     }
     for (Pigment& cell : checker.cells) {

@@ -10,14 +10,19 @@ namespace {
 
 /// `checker texture { } texture { }`; a cell that is not stated is the default texture.
 CheckerTexture parse_checker_texture(Reader& reader) {
+    const Span place = reader.last_place();
     CheckerTexture checker;
+    std::size_t nodes = 0;
     for (int i = 0; i < 2; ++i) {
         std::optional<TextureLayers> cell;
         if (reader.accept(Word::texture)) {
             parse_texture(reader, cell);
             reader.accept_comma();
         }
-        checker.cells.push_back(*layers_or_default(reader, cell));
+        const TextureLayers& layers = layers_or_default(reader, cell);
+        nodes += count_nodes(*layers);
+        limit_nodes(reader, place, nodes);
+        checker.cells.push_back(*layers);
     }
     return checker;
 }

@@ -25,6 +25,8 @@ struct ParseOptions {
     int max_include_depth = 100;
     std::size_t max_includes = 1'000'000;  ///< `#include`s carried out, so that files which include each other twice end
     int max_nesting = 1000;                ///< of blocks and parentheses
+    /// Of one texture: a colour, or a pattern besides its cells, is one node in each layer. Names make textures double with each line.
+    std::size_t max_texture_nodes = 100'000;
     /// Where the text of an included path comes from, empty if there is none; unset: the file system.
     std::function<std::optional<std::string>(const std::string& path)> read_include;
 };

@@ -1,5 +1,7 @@
 #include "syntax/texture_layers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "syntax/blocks.h"
@@ -25,6 +27,7 @@ void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& laye
     }
     if (is_patterned(*layers)) reader.fail(place, "Cannot layer over a patterned texture.");
     if (is_patterned(upper)) reader.fail(place, "Cannot layer a patterned texture over another.");
+    limit_nodes(reader, place, count_nodes(**layers) + count_nodes(*upper));
     std::vector<Texture>& all = layers->edit();
     all.insert(all.end(), upper->begin(), upper->end());
 }
@@ -50,6 +53,31 @@ bool has_any_pattern(const TextureLayers& layers) {
 }
 
 Pigment default_pigment(Reader& reader) { return std::get<PlainTexture>(reader.default_texture()->back().content).pigment; }
+
+std::size_t count_nodes(const Pigment& pigment) {
+    std::size_t nodes = 1;
+    if (const auto* checker = std::get_if<CheckerPigment>(&pigment.content))
+        for (const Pigment& cell : checker->cells) nodes += count_nodes(cell);
+    return nodes;
+}
+
+std::size_t count_nodes(const std::vector<Texture>& layers) {
+    std::size_t nodes = 0;
+    for (const Texture& layer : layers) {
+        if (const auto* plain = std::get_if<PlainTexture>(&layer.content))
+            nodes += count_nodes(plain->pigment);
+        else
+            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(layer.content).cells) nodes += count_nodes(cell);
+    }
+    return nodes;
+}
+
+void limit_nodes(Reader& reader, const Span& place, std::size_t nodes) {
+    const std::size_t most = reader.options().max_texture_nodes;
+    if (nodes <= most) return;
+    throw LimitError(reader.scene().sources.describe(place, "Parse Error",
+                                                     fmt::format("A texture has more than {} pigments in its layers and cells.", most)));
+}
 
 bool accept_layer_part(Reader& reader, std::optional<TextureLayers>& layers) {
     const Token next = reader.peek();
