@@ -100,7 +100,8 @@ std::string take_file(const std::string& name) {
     return text.str();
 }
 
-std::string stream_name(const char* kind) { return fs::current_path().string() + "_" + kind; }
+/// Tests that run at the same time in one folder must not share it.
+std::string stream_name(const char* kind) { return fmt::format("{}_{}_{}", fs::current_path().string(), getpid(), kind); }
 
 }  // namespace
 
