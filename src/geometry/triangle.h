@@ -58,8 +58,7 @@ struct ShearedTriangle {
     /// Needles and triangles seen edge-on: the areas have lost too many digits to interpolate with.
     bool cancels() const {
         constexpr double lost = 16.0;
-        const double reach =
-            std::max({std::fabs(ax) + std::fabs(ay), std::fabs(bx) + std::fabs(by), std::fabs(cx) + std::fabs(cy)});
+        const double reach = std::max({std::fabs(ax) + std::fabs(ay), std::fabs(bx) + std::fabs(by), std::fabs(cx) + std::fabs(cy)});
         return lost * std::fabs(u + v + w) < reach * reach;
     }
     double ax, ay, az, bx, by, bz, cx, cy, cz, u, v, w;

@@ -163,8 +163,8 @@ struct Light {
     Vec3 location{0.0};
     Rgb color{0.0};
     Vec3 point_at{0.0, 0.0, 1.0};
-    double radius = 0.0;     ///< half angle in degrees (spotlight) or length (cylinder)
-    double falloff = 0.0;    ///< likewise
+    double radius = 0.0;   ///< half angle in degrees (spotlight) or length (cylinder)
+    double falloff = 0.0;  ///< likewise
     double tightness = 0.0;
     double fade_distance = 0.0;
     double fade_power = 0.0;
@@ -203,7 +203,7 @@ struct Unmodelled {
 struct Scene {
     Camera camera;
     std::vector<Light> lights;
-    std::vector<Object> objects;  ///< in file order; ties between equally near surfaces go to the first
+    std::vector<Object> objects;                  ///< in file order; ties between equally near surfaces go to the first
     PigmentColor background{Rgb(0.0), 0.0, 1.0};  ///< none stated: black, and transparent in a picture with alpha
     GlobalSettings settings;
     double language_version = 0.0;  ///< last #version; 0 when none was seen and no include restored one

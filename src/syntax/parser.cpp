@@ -11,7 +11,8 @@ namespace rt {
 namespace {
 
 constexpr std::string_view version_missing =
-    "This scene did not contain a #version directive. Please be aware that as of POV-Ray 3.7, unless already specified via an INI option, a "
+    "This scene did not contain a #version directive. Please be aware that as of POV-Ray 3.7, unless already specified via an INI option, "
+    "a "
     "#version is expected as the first declaration in a scene file. POV-Ray may apply settings to some features that are intended to "
     "maintain compatibility with pre-3.7 scenes. You are strongly encouraged to add a #version statement to the scene to make your intent "
     "clear. Future versions of POV-Ray may make the presence of a #version statement mandatory.";

@@ -7,9 +7,7 @@ int main() {
     const auto add = [&] {
         for (int i = 0; i < 10000; ++i) ++number;
     };
-    {
-        const std::jthread first(add), second(add);
-    }
+    { const std::jthread first(add), second(add); }
     std::printf("%d\n", number);
     return 0;
 }
