@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "commands/help.h"
 #include "commands/render_arguments.h"
+#include "commands/scene_choices.h"
 #include "commands/session.h"
 #include "commands/suggest.h"
 #include "commands/text.h"
@@ -56,7 +57,9 @@ int sceneinfo(const Words& words) {
     ParseOptions options;
     options.rotation = Rotation::csc473;
     options.library_paths = default_library_paths();
-    write_stdout(sceneinfo_text(parse_file(words[0], options, message_sink(true))));
+    const Scene scene = parse_file(words[0], options, message_sink(true));
+    (void)choices_of(scene);  // a mistake in them is one here too
+    write_stdout(sceneinfo_text(scene));
     return 0;
 }
 

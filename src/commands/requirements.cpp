@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_set>
 
+#include "commands/scene_choices.h"
 #include "commands/stats.h"
 
 namespace rt {
@@ -88,6 +89,13 @@ private:
     }
 };
 
+MissingFeature placed(const Unmodelled& unmodelled, const Sources& sources) {
+    const Span& span = unmodelled.span;
+    if (span.file >= sources.size()) return {unmodelled.feature, "", 0, 0};
+    const LineColumn place = sources.locate(span.file, span.begin);
+    return {unmodelled.feature, sources.file(span.file).name, place.line, place.column};
+}
+
 }  // namespace
 
 Requirements requirements_of(const Scene& scene) {
@@ -110,15 +118,8 @@ Requirements requirements_of(const Scene& scene) {
     needs.gamma = gamma_text(scene.settings.gamma);
     needs.language_version = scene.language_version;
     for (std::uint32_t i = 1; i < scene.sources.size(); ++i) needs.includes.push_back(scene.sources.file(i).name);
-    for (const Unmodelled& unmodelled : scene.unmodelled) {
-        const Span& span = unmodelled.span;
-        MissingFeature missing{unmodelled.feature, "", 0, 0};
-        if (span.file < scene.sources.size()) {
-            const LineColumn place = scene.sources.locate(span.file, span.begin);
-            missing = {unmodelled.feature, scene.sources.file(span.file).name, place.line, place.column};
-        }
-        needs.missing.push_back(std::move(missing));
-    }
+    for (const Unmodelled& unmodelled : scene.unmodelled) needs.missing.push_back(placed(unmodelled, scene.sources));
+    for (const Unmodelled& option : choices_of(scene).unavailable) needs.missing.push_back(placed(option, scene.sources));
     return needs;
 }
 

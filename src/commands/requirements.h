@@ -30,6 +30,7 @@ struct Requirements {
     std::vector<MissingFeature> missing;
 };
 
+/// Choices in comments that this version does not select count as not modelled; throws SceneError for one that has an unknown value.
 Requirements requirements_of(const Scene& scene);
 
 }  // namespace rt

@@ -2,79 +2,54 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <set>
 #include <unordered_set>
+#include <utility>
 
 #include "commands/names.h"
-#include "commands/suggest.h"
 
 namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> known_keys{"shading", "distances", "precision", "alpha"};
-/// Terms of the catalogue of shading that this version does not select.
-constexpr std::array<std::string_view, 4> later_keys{"D", "G", "F", "diffuse"};
-
 class Chooser {
 public:
-    Chooser(const Scene& scene, RenderJob& job, const MessageSink& messages) : scene_(scene), job_(job), messages_(messages) {}
+    explicit Chooser(const Scene& scene) : scene_(scene) {}
+    SceneChoices choices;
 
     void file_option(const SceneOption& option) {
         if (option.key == "shading")
-            choose(option, shading_names, "shading", shading_);
+            choose(option, shading_names, "shading", choices.shading);
         else if (option.key == "distances")
-            choose(option, distances_names, "rule of distances", distances_);
+            choose(option, distances_names, "rule of distances", choices.distances);
         else if (option.key == "precision")
-            choose(option, precision_names, "precision", precision_);
+            choose(option, precision_names, "precision", choices.precision);
         else if (option.key == "alpha")
-            choose(option, alpha_names, "alpha mapping", alpha_);
+            choose(option, alpha_names, "alpha mapping", choices.alpha);
         else
-            refuse(option, "");
+            unavailable(option, "");  // the parser lets no unknown key pass
     }
 
     /// No choice of one finish is available yet.
-    void finish_option(const SceneOption& option) { refuse(option, " inside finish"); }
-
-    /// The command line wins.
-    void finish() {
-        if (!job_.shading) job_.shading = shading_;
-        if (!job_.distances) job_.distances = distances_;
-        if (!job_.precision) job_.precision = precision_;
-        if (!job_.alpha) job_.alpha = alpha_;
-    }
+    void finish_option(const SceneOption& option) { unavailable(option, " inside finish"); }
 
 private:
     const Scene& scene_;
-    RenderJob& job_;
-    const MessageSink& messages_;
-    std::optional<ShadingModel> shading_;
-    std::optional<Distances> distances_;
-    std::optional<Precision> precision_;
-    std::optional<AlphaMapping> alpha_;
-
-    [[noreturn]] void fail(const SceneOption& option, const std::string& text) {
-        throw SceneError(scene_.sources.describe(option.span, "Parse Error", text));
-    }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> places_;  ///< a finish may be used, and a line read, many times
 
     template <typename T, std::size_t N>
-    void choose(const SceneOption& option, const NameTable<T, N>& table, std::string_view what, std::optional<T>& place) {
+    void choose(const SceneOption& option, const NameTable<T, N>& table, std::string_view what, std::optional<T>& chosen) {
         const std::optional<T> value = find_name(table, option.value);
-        if (!value) fail(option, fmt::format("{}: {}", option.key, unknown_name_text(table, what, option.value)));
-        place = value;
+        if (!value) {
+            const std::string text = fmt::format("{}: {}", option.key, unknown_name_text(table, what, option.value));
+            throw SceneError(scene_.sources.describe(option.span, "Parse Error", text));
+        }
+        chosen = value;
     }
 
-    void refuse(const SceneOption& option, std::string_view where) {
-        const auto in = [&](const auto& keys) { return std::find(keys.begin(), keys.end(), option.key) != keys.end(); };
-        if (!in(known_keys) && !in(later_keys)) {
-            const std::vector<std::string> known(known_keys.begin(), known_keys.end());
-            fail(option, fmt::format("unknown raytrace option '{}'; expected one of {}{}", option.key, fmt::join(known_keys, ", "),
-                                     did_you_mean(option.key, known)));
-        }
-        const std::string text = fmt::format("raytrace option '{}'{} is not available in this version", option.key, where);
-        if (!job_.parse.lenient) fail(option, text);
-        messages_(scene_.sources.describe(option.span, "Parse Warning", text));
+    void unavailable(const SceneOption& option, std::string_view where) {
+        if (places_.insert({option.span.file, option.span.begin}).second)
+            choices.unavailable.push_back({fmt::format("raytrace option '{}'{}", option.key, where), option.span});
     }
 };
 
@@ -103,8 +78,8 @@ private:
 
 }  // namespace
 
-void apply_scene_choices(const Scene& scene, RenderJob& job, const MessageSink& messages) {
-    Chooser chooser(scene, job, messages);
+SceneChoices choices_of(const Scene& scene) {
+    Chooser chooser(scene);
     for (const SceneOption& option : scene.options) chooser.file_option(option);
     FinishOptions finishes;
     const auto use = [&](const SceneOption& option) { chooser.finish_option(option); };
@@ -112,7 +87,21 @@ void apply_scene_choices(const Scene& scene, RenderJob& job, const MessageSink& 
         if (object.texture) finishes.visit(*object.texture, use);
         if (object.interior_texture) finishes.visit(*object.interior_texture, use);
     }
-    chooser.finish();
+    return std::move(chooser.choices);
+}
+
+void apply_scene_choices(const Scene& scene, RenderJob& job, const MessageSink& messages) {
+    const SceneChoices choices = choices_of(scene);
+    for (const Unmodelled& option : choices.unavailable) {
+        const std::string text = option.feature + " is not available in this version";
+        if (!job.parse.lenient) throw SceneError(scene.sources.describe(option.span, "Parse Error", text));
+        messages(scene.sources.describe(option.span, "Parse Warning", text));
+    }
+    // The command line wins.
+    if (!job.shading) job.shading = choices.shading;
+    if (!job.distances) job.distances = choices.distances;
+    if (!job.precision) job.precision = choices.precision;
+    if (!job.alpha) job.alpha = choices.alpha;
 }
 
 }  // namespace rt

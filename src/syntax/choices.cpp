@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> known_keys{"shading", "D", "G", "F", "alpha", "precision", "distances"};
 constexpr std::string_view blanks = " \t\r\n";
 
 SceneOption parse_choice(Reader& reader, std::string_view word, const Span& place) {
@@ -17,8 +15,8 @@ SceneOption parse_choice(Reader& reader, std::string_view word, const Span& plac
     if (equals == std::string_view::npos || equals == 0 || equals + 1 == word.size())
         reader.fail(place, fmt::format("Expected 'key=value' after '//! raytrace:', '{}' found instead", word));
     const std::string_view key = word.substr(0, equals);
-    if (std::find(known_keys.begin(), known_keys.end(), key) == known_keys.end())
-        reader.fail(place, fmt::format("Unknown key '{}' after '//! raytrace:', known are {}", key, fmt::join(known_keys, ", ")));
+    if (std::find(choice_keys.begin(), choice_keys.end(), key) == choice_keys.end())
+        reader.fail(place, fmt::format("Unknown key '{}' after '//! raytrace:', known are {}", key, fmt::join(choice_keys, ", ")));
     return {std::string(key), std::string(word.substr(equals + 1)), place};
 }
 

@@ -1,12 +1,18 @@
 // Directive comments: `//! raytrace: key=value key=value`.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "syntax/reader.h"
 
 namespace rt {
 
+/// Every key that a choice may have. Values, and which keys this version selects, are the business of whoever uses them.
+inline constexpr std::array<std::string_view, 8> choice_keys{"shading", "distances", "precision", "alpha", "D", "G", "F", "diffuse"};
+
 /// Takes a directive comment that comes next and adds its choices to `options`; false if none comes next.
-/// Fails at the first word that is no key=value or has an unknown key; values are checked by whoever uses them.
+/// Fails at the first word that is no key=value or has an unknown key.
 bool accept_choices(Reader& reader, std::vector<SceneOption>& options);
 
 }  // namespace rt

@@ -180,16 +180,6 @@ TEST_F(Choices, WrongValuesAreNamedWithTheirPlace) {
               "     |               ^^^^^^^^^^^^^");
 }
 
-TEST_F(Choices, UnknownKeysAreNamedWithTheirPlace) {
-    state("//! raytrace: shadng=povray", {{"shadng", "povray"}});
-    EXPECT_EQ(
-        error(),
-        "File 'a.pov' line 1: Parse Error: unknown raytrace option 'shadng'; expected one of shading, distances, precision, alpha; did "
-        "you mean 'shading'?\n"
-        "   1 | //! raytrace: shadng=povray\n"
-        "     |               ^^^^^^^^^^^^^");
-}
-
 TEST_F(Choices, LaterOnesAreErrorsOrWarnings) {
     state("//! raytrace: D=beckmann", {{"D", "beckmann"}});
     EXPECT_NE(error().find("raytrace option 'D' is not available in this version"), std::string::npos);

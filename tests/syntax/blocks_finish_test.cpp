@@ -158,7 +158,7 @@ TEST(Choices, BelongToTheFinishTheyStandIn) {
 
 TEST(Choices, UnknownKeysAndMalformedOnesAreErrors) {
     EXPECT_EQ(parse_block("//! raytrace: shadng=povray\n").error,
-              "Unknown key 'shadng' after '//! raytrace:', known are shading, D, G, F, alpha, precision, distances");
+              "Unknown key 'shadng' after '//! raytrace:', known are shading, distances, precision, alpha, D, G, F, diffuse");
     EXPECT_EQ(parse_block("//! raytrace: D\n").error, "Expected 'key=value' after '//! raytrace:', 'D' found instead");
     EXPECT_EQ(parse_block("//! raytrace: D=\n").error, "Expected 'key=value' after '//! raytrace:', 'D=' found instead");
     EXPECT_EQ(parse_block("//! raytrace: precision=fast distances=scaled F=schlick\n").error, "");
