@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "syntax/choice_prefix.h"
 #include "syntax/file_text.h"
 #include "syntax/reader_state.h"
 
@@ -69,7 +70,15 @@ bool Reader::State::replace_name(const Span& place) {
     return true;
 }
 
-void Reader::State::push_file(std::uint32_t file) { frames.push_back({Lexer(scene.sources, file), conditionals.size(), {}}); }
+void Reader::State::push_file(std::uint32_t file) {
+    frames.push_back({Lexer(scene.sources, file, 0, Span::none, &near_choice), conditionals.size(), {}});
+}
+
+void Reader::State::warn_of_near_choice(const Span& place) {
+    if (!near_choices.insert({place.file, place.begin}).second) return;
+    const std::string_view found = std::string_view(scene.sources.file(place.file).text).substr(place.begin, place.end - place.begin);
+    reader.warn(place, fmt::format("'{}' begins a plain comment, which chooses nothing; expected '{} key=value'.", found, choice_prefix));
+}
 
 void Reader::State::include(const Span& place, const std::string& name) {
     if (frames.size() > static_cast<std::size_t>(options.max_include_depth)) reader.fail(place, "Too many nested include files.");

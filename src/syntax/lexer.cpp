@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "syntax/choice_prefix.h"
+
 namespace rt {
 
 namespace {
@@ -29,8 +31,6 @@ constexpr auto classes = make_classes();
 
 CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 
-/// Only this exact prefix makes a line comment a token.
-constexpr std::string_view choice_prefix = "//! raytrace:";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// End of the literal that begins at `at`: digits with at most one point, then an exponent whose digits may be missing, as POV-Ray reads
@@ -61,8 +61,8 @@ double literal_value(const char* begin, const char* end) {
 
 }  // namespace
 
-Lexer::Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin, std::uint32_t end)
-    : sources_(&sources), file_(file), text_(sources.file(file).text.data()) {
+Lexer::Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin, std::uint32_t end, const NearChoice* near_choice)
+    : sources_(&sources), near_choice_(near_choice), file_(file), text_(sources.file(file).text.data()) {
     const std::string& text = sources.file(file).text;
     at_ = text_ + std::min<std::size_t>(begin, text.size());
     end_ = text_ + std::min<std::size_t>(end, text.size());
@@ -108,7 +108,11 @@ bool Lexer::skip_blanks(Token& token) {
             const char* const begin = at_;
             skip_line_comment();
             const std::string_view comment(begin, at_ - begin);
-            if (!comment.starts_with(choice_prefix)) continue;
+            if (!comment.starts_with(choice_prefix)) {
+                const std::size_t length = near_choice_ ? near_choice_prefix(comment) : 0;
+                if (length != 0) (*near_choice_)(span(begin, begin + length));
+                continue;
+            }
             token.kind = Token::Kind::choice;
             token.text = comment.substr(choice_prefix.size());
             token.span = span(begin, at_);

@@ -1,6 +1,8 @@
 // Characters to tokens, one at a time, from any place of a file.
 #pragma once
 
+#include <functional>
+
 #include "core/source.h"
 #include "core/vec.h"
 #include "syntax/token.h"
@@ -12,7 +14,10 @@ namespace rt {
 class Lexer {
 public:
     /// Scans bytes [begin, end) of `file`; `end` beyond the text means the whole of it. A byte order mark at the file's start is skipped.
-    Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin = 0, std::uint32_t end = Span::none);
+    /// `near_choice` hears of the places where a comment is almost a directive, each time one is passed; it outlives the lexer.
+    using NearChoice = std::function<void(const Span&)>;
+    Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin = 0, std::uint32_t end = Span::none,
+          const NearChoice* near_choice = nullptr);
 
     /// The next token; Kind::end at the end, as often as it is asked. Throws SceneError for bytes, comments, strings and
     /// numbers that are no token.
@@ -42,6 +47,7 @@ private:
     Span span(const char* begin, const char* end) const;
 
     const Sources* sources_;
+    const NearChoice* near_choice_;
     std::uint32_t file_;
     const char* text_;
     const char* at_;

@@ -1,7 +1,9 @@
 // What a Reader holds, shared by the files that carry out directives and evaluate expressions. Not for blocks.
 #pragma once
 
+#include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "syntax/lexer.h"
@@ -38,11 +40,14 @@ struct Reader::State {
 
     State(Reader& owner, const ParseOptions& parse_options, Scene& target, const MessageSink& sink)
         : reader(owner), options(parse_options), scene(target), messages(sink) {}
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
 
     // --- input (input.cpp)
     void fill();  ///< makes `ahead` the next token, directives carried out
     void next_raw(Token& token) { frames.back().lexer.next(token); }
     void push_file(std::uint32_t file);
+    void warn_of_near_choice(const Span& place);
     void include(const Span& place, const std::string& name);
     /// The file that `name` means here: beside the including one, in the current folder, in the library paths, among those installed.
     std::optional<std::uint32_t> find_include(const std::string& name);
@@ -98,6 +103,8 @@ struct Reader::State {
     Scene& scene;
     const MessageSink& messages;
 
+    const Lexer::NearChoice near_choice = [this](const Span& place) { warn_of_near_choice(place); };
+    std::set<std::pair<std::uint32_t, std::uint32_t>> near_choices;  ///< those that were told; a file may be read several times
     std::vector<Frame> frames;
     std::vector<Conditional> conditionals;
     NameTable<std::uint32_t> files;  ///< path to index in the scene's sources

@@ -146,6 +146,27 @@ TEST(Lexer, DirectiveCommentsAreTokensWithThisExactPrefixOnly) {
         EXPECT_EQ(kinds(other), "") << other;
 }
 
+TEST(Lexer, CommentsThatAreAlmostDirectivesAreTold) {
+    const auto told = [](const std::string& text) {
+        Sources sources;
+        const std::uint32_t file = sources.add({"a.pov", text});
+        std::string found;
+        const Lexer::NearChoice sink = [&](const Span& place) { found += "[" + text.substr(place.begin, place.end - place.begin) + "]"; };
+        Lexer lexer(sources, file, 0, Span::none, &sink);
+        for (Token token; lexer.next(token), token.kind != Token::Kind::end;) continue;
+        return found;
+    };
+    EXPECT_EQ(told("a //!raytrace: a=b\r\nb"), "[//!raytrace:]");
+    EXPECT_EQ(told("//! raytrace :"), "[//! raytrace :]");
+    EXPECT_EQ(told("//! Raytrace:"), "[//! Raytrace:]");
+    EXPECT_EQ(told("//!\traytrace a=b"), "[//!\traytrace]");
+    EXPECT_EQ(told("// raytrac: a=b\n//!RAYTRACES:"), "[// raytrac:][//!RAYTRACES:]");
+    for (const char* prose :
+         {"//! raytrace: a=b", "//", "//!", "// raytrace", "//! raytrace", "//! raytracing: a=b", "// raytrace a=b", "//! a raytrace: b=c",
+          "// raytrace: a b=c", "/* //!raytrace: a=b */", "\"//!raytrace: a=b\"", "//! ray", "//! raytrace this: a=b"})
+        EXPECT_EQ(told(prose), "") << prose;
+}
+
 TEST(Lexer, StringsKeepTheirEscapesRaw) {
     EXPECT_EQ(scan(R"("a\"b\\")")->tokens[0].text, R"(a\"b\\)");
     EXPECT_EQ(scan("\"two\nlines\"")->tokens[0].text, "two\nlines");
