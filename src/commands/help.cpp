@@ -88,7 +88,8 @@ constexpr const char* output_topic =
 +Oname              POV-Ray's rule: the ending of the type (+F) is appended
                     unless the name has it
 (nothing)           the scene's name in the current folder
---bits 16           16 bits per channel (png, tiff, ppm)
+--bits N            8 or 16 (png, tiff, ppm); half or single precision: 16 or
+                    32 (exr). What a format cannot hold is a warning
 --file-gamma G      encode with 1/G instead of sRGB; 1 is linear
 --dither on, --output-alpha on
 

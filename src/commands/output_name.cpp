@@ -57,13 +57,13 @@ std::string partial_name(const std::string& path) {
     return name.replace_extension().string() + ".partial" + ending;
 }
 
-ImageFormat povray_file_type(const std::string& text, int& bits) {
+ImageFormat povray_file_type(const std::string& text, std::optional<int>& bits) {
     static constexpr std::pair<char, ImageFormat> types[] = {
         {'n', ImageFormat::png},  {'t', ImageFormat::tga}, {'c', ImageFormat::tga}, {'p', ImageFormat::ppm},
         {'j', ImageFormat::jpeg}, {'b', ImageFormat::bmp}, {'e', ImageFormat::exr}, {'h', ImageFormat::hdr},
     };
     const std::string type = lower_case(text);
-    if (type.size() > 1) bits = whole_number("bits per colour", type.substr(1), 1, 16);
+    if (type.size() > 1) bits = whole_number("bits per colour", type.substr(1), 1, most_bits);
     for (const auto& [letter, format] : types)
         if (!type.empty() && type[0] == letter) return format;
     throw OptionError(fmt::format(

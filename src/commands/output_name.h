@@ -8,6 +8,9 @@
 
 namespace rt {
 
+/// Per channel, of any format.
+inline constexpr int most_bits = 32;
+
 struct OutputRequest {
     std::string name;           ///< empty: the scene's name in the current directory; "-": standard output; "dir/": the scene's name there
     bool povray_rules = false;  ///< the type is never taken from the name's extension
@@ -27,6 +30,6 @@ OutputTarget output_target(const OutputRequest& request, const std::string& scen
 std::string partial_name(const std::string& path);
 
 /// POV-Ray's type letters with an optional number of bits ("N", "n16", "E"). `bits` is only changed if stated.
-ImageFormat povray_file_type(const std::string& text, int& bits);
+ImageFormat povray_file_type(const std::string& text, std::optional<int>& bits);
 
 }  // namespace rt

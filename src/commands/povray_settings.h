@@ -10,6 +10,7 @@ namespace rt {
 struct PovraySetting {
     enum class Kind {
         value,        ///< our `option` with the same value
+        whole,        ///< the same of a whole number; POV-Ray cuts fractions off
         boolean,      ///< our `option` with on or off
         unavailable,  ///< asks, when on, for something that the program has not and that leaves the picture as it is: a note
         always_on,    ///< what the program does anyway: a note when off

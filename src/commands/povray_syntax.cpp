@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -53,6 +55,7 @@ private:
 
     bool povray_word(const std::string& word);
     bool switch_word(const std::string& word);
+    std::string without_fraction(std::string_view value, const std::string& written);
     void setting(const std::string& key, std::string_view value, const std::string& written);
     void ini_file(std::string_view word);
     void ini_line(std::string_view line);
@@ -106,6 +109,16 @@ bool Translator::switch_word(const std::string& word) {
     return true;
 }
 
+/// As POV-Ray does it. What is no number stays, for the option to refuse.
+std::string Translator::without_fraction(std::string_view value, const std::string& written) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    const bool whole = error != std::errc() || end != value.data() + value.size() || number == std::trunc(number) || !std::isfinite(number);
+    if (whole) return std::string(value);
+    result.notes.push_back(fmt::format("{}: the fraction is cut off, as in POV-Ray", written));
+    return fmt::format("{:.0f}", std::trunc(number));
+}
+
 void Translator::setting(const std::string& key, std::string_view value, const std::string& written) {
     using Kind = PovraySetting::Kind;
     const PovraySetting* found = find_povray_setting(key);
@@ -122,6 +135,10 @@ void Translator::setting(const std::string& key, std::string_view value, const s
         case Kind::value:
             if (value.empty()) throw OptionError(fmt::format("setting '{}' needs a value", key));
             result.words.push_back(fmt::format("{}={}", found->option, value));
+            break;
+        case Kind::whole:
+            if (value.empty()) throw OptionError(fmt::format("setting '{}' needs a value", key));
+            result.words.push_back(fmt::format("{}={}", found->option, without_fraction(value, written)));
             break;
         case Kind::boolean:
             result.words.push_back(fmt::format("{}={}", found->option, on_or_off(key, value) ? "on" : "off"));

@@ -9,6 +9,7 @@ namespace rt {
 
 struct Translation {
     std::vector<std::string> words;    ///< GNU options and other words, in the order given
+    std::vector<std::string> notes;    ///< what was changed on the way
     std::vector<std::string> ignored;  ///< switches and keys without a meaning here, as written
 };
 

@@ -47,8 +47,8 @@ void define_picture(CommandLine& line, Draft& d) {
     line.value("--format", "TYPE", "png, exr, hdr, tiff, jpeg, ppm, tga or bmp",
                [&](const std::string& v) { job.output.format = value_of_name(format_names, "picture format", v); });
     line.value("--povray-type", "TYPE", "", [&](const std::string& v) { job.output.format = povray_file_type(v, job.bits); });
-    line.value("--bits", "N", "8 (default) or 16 per channel",
-               [&](const std::string& v) { job.bits = whole_number("bits per colour", v, 1, 16); });
+    line.value("--bits", "N", "8 (default) or 16 per channel; exr 16 or 32",
+               [&](const std::string& v) { job.bits = whole_number("bits per colour", v, 1, most_bits); });
     line.value("--output-to-file", "ON", "", [&](const std::string& v) { job.output.to_file = on_or_off("Output_to_File", v); });
     line.value("--output-alpha", "ON", "", [&](const std::string& v) { job.output_alpha = on_or_off("Output_Alpha", v); });
     line.value("-W,--width", "N", "columns (800)", [&](const std::string& v) { job.width = whole_number("width", v, 1, largest_side); });
@@ -225,10 +225,10 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     choose_sampling(draft);
     choose_region(draft);
     RenderJob& job = draft.job;
-    job.bits = job.bits > 8 ? 16 : 8;
     job.parse.image_width = job.width;
     job.parse.image_height = job.height;
     if (job.profile == Profile::csc473) job.parse.rotation = Rotation::csc473;
+    job.notes.insert(job.notes.end(), translation.notes.begin(), translation.notes.end());
     if (!translation.ignored.empty())
         job.notes.push_back(fmt::format("ignored, without a meaning here: {}", fmt::join(translation.ignored, " ")));
     return job;

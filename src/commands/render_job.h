@@ -42,7 +42,7 @@ struct RenderJob {
     IndexKind index = IndexKind::automatic;
     Profile profile = Profile::povray;
     Curve file_gamma{Curve::Kind::srgb, 1.0};
-    int bits = 8;
+    std::optional<int> bits;  ///< per channel, as asked for; unset: what the format usually has
     bool output_alpha = false;
     bool dither = false;
 

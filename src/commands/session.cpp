@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "commands/encoding.h"
 #include "commands/interrupt.h"
 #include "commands/names.h"
 #include "commands/progress.h"
@@ -84,15 +85,12 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
     return options;
 }
 
-Encoding encoding_of(const RenderJob& job, const Gamma& gamma) {
-    Encoding encoding;
-    encoding.raw = gamma.kind == Gamma::Kind::legacy || job.profile == Profile::csc473;
-    encoding.working = {gamma.kind == Gamma::Kind::srgb ? Curve::Kind::srgb : Curve::Kind::power, gamma.power};
-    encoding.file = job.file_gamma;
-    encoding.bits = job.bits;
-    encoding.alpha = job.output_alpha;
-    encoding.dither = job.dither;
-    return encoding;
+/// Before the work: nobody waits for a picture that cannot be written, or not as it was asked for.
+void check_output(const RenderJob& job, const MessageSink& messages) {
+    const OutputTarget target = output_target(job.output, job.scene);
+    if (target.path.empty()) return;
+    for (const std::string& loss : format_losses(job, target.format)) messages("raytrace: warning: " + loss);
+    if (target.path != "-") check_image_target(target.path, target.format);
 }
 
 RenderResult trace(const World& world, const RenderJob& job, const Gamma& gamma, const StopOnSignal& signals) {
@@ -160,8 +158,7 @@ int run_session(RenderJob job) {
         const Timed timed(stats.phases.build);
         world = compile(scene, compile_options(job), messages);
     }
-    if (const OutputTarget target = output_target(job.output, job.scene); !target.path.empty() && target.path != "-")
-        check_image_target(target.path, target.format);
+    check_output(job, messages);
     const StopOnSignal signals;  // until the picture is written, so that no half file stays
     RenderResult result;
     {

@@ -26,7 +26,8 @@ double real_number(std::string_view what, std::string_view text, double least, d
 }
 
 int whole_number(std::string_view what, std::string_view text, int least, int most) {
-    const double value = std::trunc(real_number(what, text, -HUGE_VAL, HUGE_VAL));
+    const double value = real_number(what, text, -HUGE_VAL, HUGE_VAL);
+    if (value != std::trunc(value)) throw OptionError(fmt::format("{}: expected a whole number, not '{}'", what, text));
     if (value < least || value > most) throw OptionError(fmt::format("{}: {} is outside {} to {}", what, text, least, most));
     return static_cast<int>(value);
 }

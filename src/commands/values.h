@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// A whole number in [least, most]; like POV-Ray a fraction is cut off. Throws OptionError naming `what`.
+/// A whole number in [least, most]. Throws OptionError naming `what`.
 int whole_number(std::string_view what, std::string_view text, int least, int most);
 /// A finite number in [least, most].
 double real_number(std::string_view what, std::string_view text, double least, double most);

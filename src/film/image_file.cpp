@@ -23,18 +23,21 @@ struct FormatEntry {
     const char* name;  ///< as in a file name
     ImageFormat format;
     const char* oiio;  ///< OpenImageIO's name
-    bool linear;       ///< holds unclamped linear light
-    bool sixteen;      ///< can hold 16 bits
-    bool alpha;
+    FormatLimits limits;
 };
 
 /// The first entry of a format has its usual extension.
 constexpr std::array formats{
-    FormatEntry{"png", ImageFormat::png, "png", false, true, true},      FormatEntry{"exr", ImageFormat::exr, "openexr", true, true, true},
-    FormatEntry{"hdr", ImageFormat::hdr, "hdr", true, false, false},     FormatEntry{"tiff", ImageFormat::tiff, "tiff", false, true, true},
-    FormatEntry{"jpeg", ImageFormat::jpeg, "jpeg", false, false, false}, FormatEntry{"ppm", ImageFormat::ppm, "pnm", false, true, false},
-    FormatEntry{"tga", ImageFormat::tga, "targa", false, false, true},   FormatEntry{"bmp", ImageFormat::bmp, "bmp", false, false, true},
-    FormatEntry{"tif", ImageFormat::tiff, "tiff", false, true, true},    FormatEntry{"jpg", ImageFormat::jpeg, "jpeg", false, false, false},
+    FormatEntry{"png", ImageFormat::png, "png", {8, 16, true, false}},
+    FormatEntry{"exr", ImageFormat::exr, "openexr", {16, 32, true, true}},
+    FormatEntry{"hdr", ImageFormat::hdr, "hdr", {8, 8, false, true}},
+    FormatEntry{"tiff", ImageFormat::tiff, "tiff", {8, 16, true, false}},
+    FormatEntry{"jpg", ImageFormat::jpeg, "jpeg", {8, 8, false, false}},
+    FormatEntry{"ppm", ImageFormat::ppm, "pnm", {8, 16, false, false}},
+    FormatEntry{"tga", ImageFormat::tga, "targa", {8, 8, true, false}},
+    FormatEntry{"bmp", ImageFormat::bmp, "bmp", {8, 8, true, false}},
+    FormatEntry{"tif", ImageFormat::tiff, "tiff", {8, 16, true, false}},
+    FormatEntry{"jpeg", ImageFormat::jpeg, "jpeg", {8, 8, false, false}},
 };
 
 const FormatEntry& entry_of(ImageFormat format) {
@@ -71,7 +74,7 @@ std::string write_through_module(const Film& film, const std::string& path, cons
     std::vector<float> floats;
     std::vector<std::uint16_t> numbers;
     std::vector<std::uint8_t> bytes;
-    if (entry.linear) {
+    if (entry.limits.linear) {
         floats = linear_values(film, encoding);
         picture.sample = encoding.bits == 32 || entry.format == ImageFormat::hdr ? raytrace_float : raytrace_half;
         picture.data = floats.data();
@@ -112,11 +115,13 @@ bool format_of(const std::string& path, ImageFormat& format) {
 
 const char* extension(ImageFormat format) { return entry_of(format).name; }
 
+FormatLimits limits_of(ImageFormat format) { return entry_of(format).limits; }
+
 void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata) {
     const FormatEntry& entry = entry_of(format);
     Encoding possible = encoding;
-    possible.alpha = encoding.alpha && entry.alpha;
-    if (!entry.linear) possible.bits = encoding.bits > 8 && entry.sixteen ? 16 : 8;
+    possible.alpha = encoding.alpha && entry.limits.alpha;
+    possible.bits = entry.limits.bits_for(encoding.bits);
     OutputFile file(path);
     if (film.width < 1 || film.height < 1) file.fail(0, "the picture has no pixels");
     switch (format) {

@@ -18,12 +18,21 @@ struct ImageMetadata {
 
 /// Format by the file name's extension in small or capital letters; false if it is none of ours.
 bool format_of(const std::string& path, ImageFormat& format);
-/// "png", "exr", ... as in a file name.
+/// "png", "jpg", ... as in a file name.
 const char* extension(ImageFormat format);
 
+/// What a format can hold.
+struct FormatLimits {
+    int fewest_bits, most_bits;  ///< per channel; there is nothing between them
+    bool alpha;
+    bool linear;  ///< unclamped linear light; HDR's bits are those beside its shared exponent
+    int bits_for(int wanted) const { return wanted <= fewest_bits ? fewest_bits : most_bits; }
+};
+FormatLimits limits_of(ImageFormat format);
+
 /// Writes beside the target and renames, so a picture appears whole or not at all; an error leaves an existing file as it was.
-/// `path` "-" writes to standard output; a device or pipe is written directly; a symbolic link stays and its target is replaced. Bits and
-/// alpha that the format cannot hold are left out; EXR and HDR get unclamped linear light.
+/// `path` "-" writes to standard output; a device or pipe is written directly; a symbolic link stays and its target is replaced. The
+/// bits are those that the format has for the wanted ones, alpha that it cannot hold is left out; EXR and HDR get unclamped linear light.
 /// Throws OutputError with the path and the system's reason, OptionError when the format needs a module that is not installed.
 void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata);
 

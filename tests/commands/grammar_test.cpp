@@ -39,7 +39,7 @@ std::string summary(const RenderJob& job) {
     add(!job.output.name.empty(), fmt::format("{}={}", job.output.povray_rules ? "+O" : "-o", job.output.name));
     add(job.output.format.has_value(), "format=" + std::string(name_of(format_names, job.output.format.value_or(ImageFormat::png))));
     add(!job.output.to_file, "nofile");
-    add(job.bits != 8, fmt::format("bits={}", job.bits));
+    add(job.bits.has_value(), fmt::format("bits={}", job.bits.value_or(0)));
     if (job.region) text += fmt::format(" region={},{},{},{}", job.region->x0, job.region->x1, job.region->y0, job.region->y1);
     add(job.threads != 0, fmt::format("threads={}", job.threads));
     const Sampling& s = job.sampling;
@@ -120,41 +120,44 @@ INSTANTIATE_TEST_SUITE_P(Gnu, Grammar,
 
 INSTANTIATE_TEST_SUITE_P(
     Povray, Grammar,
-    testing::Values(Line{{"+Ia.pov", "+W64", "+H48"}, "a.pov 64x48"},                                   //
-                    Line{{"+ia", "+w64", "-h48"}, "a.pov 64x48"},                                       //
-                    Line{{"-W64", "-Ia.pov", "-Obig.png"}, "a.pov 64x600 +O=big.png"},                  //
-                    Line{{"+I\"a b.pov\"", "+O\"x y.png\""}, "a b.pov +O=x y.png"},                     //
-                    Line{{"a.pov", "+O-"}, "a.pov +O=-"},                                               //
-                    Line{{"a.pov", "-O-", "+FP"}, "a.pov +O=- format=ppm"},                             //
-                    Line{{"a.pov", "+Odir/"}, "a.pov +O=dir/"},                                         //
-                    Line{{"a.pov", "+FN16"}, "a.pov format=png bits=16"},                               //
-                    Line{{"a.pov", "+FN8"}, "a.pov format=png"},                                        //
-                    Line{{"a.pov", "Output_File_Type=C"}, "a.pov format=tga"},                          //
-                    Line{{"a.pov", "+FE"}, "a.pov format=exr"},                                         //
-                    Line{{"a.pov", "-F"}, "a.pov nofile"},                                              //
-                    Line{{"a.pov", "-F", "+F"}, "a.pov"},                                               //
-                    Line{{"a.pov", "+A"}, "a.pov aa=1,0.3,3 " + as_minus_j},                            //
-                    Line{{"a.pov", "+A0.1", "+AM2", "+R2", "-J"}, "a.pov aa=2,0.1,2"},                  //
-                    Line{{"-J", "+R2", "+AM2", "+A0.1", "a.pov"}, "a.pov aa=2,0.1,2"},                  //
-                    Line{{"a.pov", "+A0.1", "+J0.5"}, "a.pov aa=1,0.1,3 " + no_jitter},                 //
-                    Line{{"a.pov", "+A0.1", "+J0.0"}, "a.pov aa=1,0.1,3"},                              //
-                    Line{{"a.pov", "+A0.1", "-A"}, "a.pov"},                                            //
-                    Line{{"a.pov", "+R4", "+AM2"}, "a.pov"},                                            //
-                    Line{{"a.pov", "+A7", "-J", "+R12"}, "a.pov aa=1,1,9"},                             //
-                    Line{{"a.pov", "+A", "-J", "+AG1", "+BS2"}, "a.pov aa=1,0.3,3 aagamma=1 block=4"},  //
-                    Line{{"a.pov", "+Q5"}, "a.pov quality=5"},                                          //
-                    Line{{"a.pov", "+Q12"}, "a.pov quality=11"},                                        //
-                    Line{{"a.pov", "+UA", "Dither=on"}, "a.pov alphachannel dither"},                   //
-                    Line{{"a.pov", "+UA", "-UA"}, "a.pov"},                                             //
-                    Line{{"a.pov", "+Lone", "+Ltwo"}, "a.pov L=one L=two"},                             //
-                    Line{{"a.pov", "+MV3.5", "+WT2"}, "a.pov threads=2 version=3.5"},                   //
-                    Line{{"a.pov", "+K0.25"}, "a.pov clock=0.25"},                                      //
-                    Line{{"a.pov", "+KI1", "+KF2"}, "a.pov"},                                           //
-                    Line{{"a.pov", "+KFI1", "+KFF1"}, "a.pov"},                                         //
-                    Line{{"a.pov", "Declare=N=3", "File_Gamma=srgb"}, "a.pov N:=3"},                    //
-                    Line{{"a.pov", "file_gamma=1.0"}, "a.pov gamma=1"},                                 //
+    testing::Values(Line{{"+Ia.pov", "+W64", "+H48"}, "a.pov 64x48"},                   //
+                    Line{{"+ia", "+w64", "-h48"}, "a.pov 64x48"},                       //
+                    Line{{"-W64", "-Ia.pov", "-Obig.png"}, "a.pov 64x600 +O=big.png"},  //
+                    Line{{"+I\"a b.pov\"", "+O\"x y.png\""}, "a b.pov +O=x y.png"},     //
+                    Line{{"a.pov", "+O-"}, "a.pov +O=-"},                               //
+                    Line{{"a.pov", "-O-", "+FP"}, "a.pov +O=- format=ppm"},             //
+                    Line{{"a.pov", "+Odir/"}, "a.pov +O=dir/"},                         //
+                    Line{{"a.pov", "+FN16"}, "a.pov format=png bits=16"},               //
+                    Line{{"a.pov", "+FN8"}, "a.pov format=png bits=8"}, Line{{"a.pov", "+FE32"}, "a.pov format=exr bits=32"},
+                    Line{{"a.pov", "Bits_Per_Color=12.5"},
+                         "a.pov bits=12 (Bits_Per_Color=12.5: the fraction is cut off, as in POV-Ray)"},  //
+                    Line{{"a.pov", "Output_File_Type=C"}, "a.pov format=tga"},                            //
+                    Line{{"a.pov", "+FE"}, "a.pov format=exr"},                                           //
+                    Line{{"a.pov", "-F"}, "a.pov nofile"},                                                //
+                    Line{{"a.pov", "-F", "+F"}, "a.pov"},                                                 //
+                    Line{{"a.pov", "+A"}, "a.pov aa=1,0.3,3 " + as_minus_j},                              //
+                    Line{{"a.pov", "+A0.1", "+AM2", "+R2", "-J"}, "a.pov aa=2,0.1,2"},                    //
+                    Line{{"-J", "+R2", "+AM2", "+A0.1", "a.pov"}, "a.pov aa=2,0.1,2"},                    //
+                    Line{{"a.pov", "+A0.1", "+J0.5"}, "a.pov aa=1,0.1,3 " + no_jitter},                   //
+                    Line{{"a.pov", "+A0.1", "+J0.0"}, "a.pov aa=1,0.1,3"},                                //
+                    Line{{"a.pov", "+A0.1", "-A"}, "a.pov"},                                              //
+                    Line{{"a.pov", "+R4", "+AM2"}, "a.pov"},                                              //
+                    Line{{"a.pov", "+A7", "-J", "+R12"}, "a.pov aa=1,1,9"},                               //
+                    Line{{"a.pov", "+A", "-J", "+AG1", "+BS2"}, "a.pov aa=1,0.3,3 aagamma=1 block=4"},    //
+                    Line{{"a.pov", "+Q5"}, "a.pov quality=5"},                                            //
+                    Line{{"a.pov", "+Q12"}, "a.pov quality=11"},                                          //
+                    Line{{"a.pov", "+UA", "Dither=on"}, "a.pov alphachannel dither"},                     //
+                    Line{{"a.pov", "+UA", "-UA"}, "a.pov"},                                               //
+                    Line{{"a.pov", "+Lone", "+Ltwo"}, "a.pov L=one L=two"},                               //
+                    Line{{"a.pov", "+MV3.5", "+WT2"}, "a.pov threads=2 version=3.5"},                     //
+                    Line{{"a.pov", "+K0.25"}, "a.pov clock=0.25"},                                        //
+                    Line{{"a.pov", "+KI1", "+KF2"}, "a.pov"},                                             //
+                    Line{{"a.pov", "+KFI1", "+KFF1"}, "a.pov"},                                           //
+                    Line{{"a.pov", "Declare=N=3", "File_Gamma=srgb"}, "a.pov N:=3"},                      //
+                    Line{{"a.pov", "file_gamma=1.0"}, "a.pov gamma=1"},                                   //
                     Line{{"a.pov", "+W100", "+H8", "+SC3", "+EC5", "+SR2", "+ER8"}, "a.pov 100x8 region=2,5,1,8"},
-                    Line{{"a.pov", "+W16.5", "+H8"}, "a.pov 16x8"},                      //
+                    Line{{"a.pov", "+W16.5", "+H8"}, "a.pov 16x8 (+W16.5: the fraction is cut off, as in POV-Ray)"},
+                    Line{{"a.pov", "+W16.0", "Height=8e0"}, "a.pov 16x8"},               //
                     Line{{"a.pov", "-D", "-P", "-V", "-GA"}, "a.pov quiet noprogress"},  //
                     Line{{"a.pov", "+X", "+W8", "+D", "Bounding_Threshold=3", "Display_Gamma=2.2", "-MB"},
                          "a.pov 8x600 (ignored, without a meaning here: +X +D Bounding_Threshold=3 Display_Gamma=2.2 -MB)"},
@@ -202,7 +205,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"a.pov", "Antialias=maybe"}, "Antialias: 'maybe' is neither on nor off"},
         Mistake{{"a.pov", "+A0.3", "+AM3"}, "anti-aliasing method: 3 is outside 1 to 2"},
         Mistake{{"a.pov", "+A0.3", "-ss=2"}, "-ss and anti-aliasing (+A, --aa) both choose the samples of a pixel; give one of them"},
-        Mistake{{"a.pov", "-ss=0"}, "ss: 0 is outside 1 to 64"},
+        Mistake{{"a.pov", "-ss=0"}, "ss: 0 is outside 1 to 64"}, Mistake{{"a.pov", "-ss=2.7"}, "ss: expected a whole number, not '2.7'"},
+        Mistake{{"a.pov", "-W", "20.9"}, "width: expected a whole number, not '20.9'"},
+        Mistake{{"a.pov", "--size=20x8.5"}, "height: expected a whole number, not '8.5'"},
+        Mistake{{"a.pov", "--crop=0,1.5,0,2"}, "crop: expected a whole number, not '1.5'"},
+        Mistake{{"a.pov", "+FN12.5"}, "bits per colour: expected a whole number, not '12.5'"},
+        Mistake{{"a.pov", "--bits=33"}, "bits per colour: 33 is outside 1 to 32"},
         Mistake{{"a.pov", "+KFF10"},
                 "animation (frames) is not available in this version; render single pictures with Clock=VALUE (+KVALUE)"},
         Mistake{{"a.pov", "+SF2"},

@@ -36,6 +36,8 @@ INSTANTIATE_TEST_SUITE_P(Povray, OutputName,
                                          Name{"dir/", true, {}, "dir/ball.png", F::png},        //
                                          Name{"dir/", true, F::hdr, "dir/ball.hdr", F::hdr},    //
                                          Name{"", true, F::exr, "ball.exr", F::exr},            //
+                                         Name{"", true, F::jpeg, "ball.jpg", F::jpeg},          //
+                                         Name{"out.jpg", true, F::jpeg, "out.jpg", F::jpeg},    //
                                          Name{"-", true, {}, "-", F::png},                      //
                                          Name{"-", true, F::ppm, "-", F::ppm}));
 
@@ -57,7 +59,7 @@ TEST(OutputName, PartialPicturesKeepTheEnding) {
 }
 
 TEST(OutputName, TypeLettersMayCarryBits) {
-    int bits = 8;
+    std::optional<int> bits;
     EXPECT_EQ(povray_file_type("n16", bits), F::png);
     EXPECT_EQ(bits, 16);
     EXPECT_EQ(povray_file_type("E", bits), F::exr);
