@@ -83,7 +83,7 @@ TEST(Format, ByExtension) {
     EXPECT_EQ(format, ImageFormat::tiff);
     for (const char* other : {"png", "", "a.pov", "dir.png/file", ".png"}) EXPECT_FALSE(format_of(other, format)) << other;
     EXPECT_STREQ(extension(ImageFormat::exr), "exr");
-    EXPECT_STREQ(extension(ImageFormat::jpeg), "jpeg");
+    EXPECT_STREQ(extension(ImageFormat::jpeg), "jpg");
 }
 
 class RoundTrip : public Files, public testing::WithParamInterface<std::tuple<std::string, int, bool>> {};
