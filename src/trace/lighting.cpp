@@ -63,7 +63,7 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
             arriving = shadows_.area(source, index, arriving, at, view.inside, view.log);
         } else {
             ShadowAnswer answer{index, 0, Rgb(1.0), {}};
-            arriving *= shadows_.transmitted(at, ray, view.inside, view.log != nullptr ? &answer : nullptr);
+            arriving *= shadows_.transmitted(index, at, ray, view.inside, view.log != nullptr ? &answer : nullptr);
             if (view.log != nullptr) view.log->shadows.push_back(std::move(answer));
         }
         if (arriving == Rgb(0.0)) return;

@@ -46,7 +46,8 @@ Radiance Recursion::camera_ray(const Ray& ray, RayLog* log) {
     ++counts.camera;
     log_ = log;
     interiors_.assign(world_.camera_interiors.begin(), world_.camera_interiors.end());
-    Radiance result = trace({.ray = ray}, 0, start_node(RayNode::none, RayNode::Kind::camera, {.ray = ray}, Rgb(1.0), 1.0));
+    const Path path{.ray = ray};
+    Radiance result = trace(path, 0, start_node(RayNode::none, RayNode::Kind::camera, path, Rgb(1.0), 1.0));
     if (log_ != nullptr) total(*log_);
     result.rgb = {overflowed(result.rgb.r), overflowed(result.rgb.g), overflowed(result.rgb.b)};
     return result;
@@ -112,19 +113,18 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node) {
 }
 
 SurfacePoint Recursion::surface_point(const Ray& ray, const Hit& hit) const {
-    SurfacePoint at;
-    at.point = ray.at(hit.shape.t);
-    at.normal = world_.normal(hit, at.point);
-    at.side = world_.flat_side(hit, at.normal);
-    at.direction = ray.direction;
-    at.t = hit.shape.t;
-    at.error = rules_.point_error(at.point, hit.shape.t);
-    at.object = hit.object;
-    const bool away = dot(at.normal, ray.direction) > 0.0;
+    const Vec3 point = ray.at(hit.shape.t);
+    const Vec3 normal = world_.normal(hit, point);
+    const bool away = dot(normal, ray.direction) > 0.0;
     const bool two_faced = !world_.materials[world_.objects[hit.object].material].interior_layers.empty();
-    at.inside = two_faced ? world_.met_from_inside(hit, at.point, ray.direction) : away;
-    if (away) at.normal = -at.normal;
-    return at;
+    return {.point = point,
+            .normal = away ? -normal : normal,
+            .side = world_.flat_side(hit, normal),
+            .direction = ray.direction,
+            .t = hit.shape.t,
+            .error = rules_.point_error(point, hit.shape.t),
+            .object = hit.object,
+            .inside = two_faced ? world_.met_from_inside(hit, point, ray.direction) : away};
 }
 
 /// From the top layer down while any light comes through: opacities, filters, mirrors.

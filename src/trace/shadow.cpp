@@ -14,14 +14,20 @@ constexpr std::int64_t most_cached_samples = 1 << 20;
 }  // namespace
 
 Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options)
-    : world_(world), rules_(rules), opaque_first_(options.distances == Distances::scaled), layers_(world, options.quality.quick_colors) {}
+    : world_(world),
+      rules_(rules),
+      opaque_first_(options.distances == Distances::scaled),
+      layers_(world, options.quality.quick_colors),
+      blockers_(world.lights.size()) {}
 
-Rgb Shadows::transmitted(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer) {
+Rgb Shadows::transmitted(std::uint32_t light_index, const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside,
+                         ShadowAnswer* answer) {
     ++rays;
     Rgb light(1.0);
     if (!world_.features.transmits || opaque_first_) {
         const Interval range = rules_.shadow(ray.distance, at.error);
-        if (range.min < range.max && world_.occluded({rules_.leave(at, ray.direction), ray.direction}, range)) light = Rgb(0.0);
+        if (range.min < range.max && world_.occluded({rules_.leave(at, ray.direction), ray.direction}, range, blockers_[light_index]))
+            light = Rgb(0.0);
     }
     if (world_.features.transmits && light != Rgb(0.0)) light = through_transparent(at, ray, inside, answer);
     if (answer != nullptr) answer->transmitted = light;
@@ -100,7 +106,7 @@ Rgb Shadows::area(const LightSource& source, std::uint32_t index, const Rgb& col
         ShadowAnswer answer{
             index, static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(area.size1) + static_cast<std::uint32_t>(u), Rgb(1.0), {}};
         const LightRay ray = source.towards(grid.position(u, v), at.point);
-        const Rgb light = color * transmitted(at, ray, inside, log != nullptr ? &answer : nullptr);
+        const Rgb light = color * transmitted(index, at, ray, inside, log != nullptr ? &answer : nullptr);
         if (log != nullptr) log->shadows.push_back(std::move(answer));
         return light;
     };

@@ -15,9 +15,10 @@ class Shadows {
 public:
     Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options);
 
-    /// Share of the light that reaches `at` along `ray`, per channel. `inside` lists the interiors that the ray which found `at` was in.
-    /// `answer`, if given, receives what was crossed.
-    Rgb transmitted(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer);
+    /// Share of the world's light of that index that reaches `at` along `ray`, per channel. `inside` lists the interiors that the ray which
+    /// found `at` was in. `answer`, if given, receives what was crossed.
+    Rgb transmitted(std::uint32_t light, const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside,
+                    ShadowAnswer* answer);
 
     /// Light of colour `color` from all samples of an area light, shadowed and averaged. `log`, if given, receives every answer.
     Rgb area(const LightSource& source, std::uint32_t index, const Rgb& color, const SurfacePoint& at,
@@ -42,6 +43,7 @@ private:
     std::vector<std::uint32_t> inside_;
     std::vector<Cached> samples_;
     std::uint32_t stamp_ = 0;
+    std::vector<Blocker> blockers_;  ///< by light
 };
 
 }  // namespace rt

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cfenv>
 #include <limits>
+#include <optional>
 
 #include "world/triangle_block.h"
 
@@ -57,61 +58,45 @@ private:
 struct IndexData {
     IndexData(const Surfaces& s, const Bounds& box) : surfaces(s), frame(box) {}
     const Surfaces& surfaces;
-    std::vector<std::uint32_t> bodies;  ///< objects that are not made of triangles
-    std::vector<std::uint32_t> faces;   ///< all triangles
-    std::vector<TriangleBlock> blocks;  ///< the same in blocks, if they are tested in doubles
+    std::vector<IndexedSphere> spheres;  ///< objects that are spheres in world space
+    std::vector<std::uint32_t> bodies;   ///< the other objects that are not made of triangles
+    std::vector<std::uint32_t> faces;    ///< all triangles
+    std::vector<TriangleBlock> blocks;   ///< the same in blocks, if they are tested in doubles
     LocalFrame frame;
 };
 
 /// What the callbacks of one ray share. Embree hands the context through unchanged; the ray it may copy.
 struct Context : RTCIntersectContext {
     Context(const LocalFrame& frame, Query& q, double start)
-        : query(q),
-          t_start(start),
-          inverse_scale(frame.inverse_scale),
-          origin(frame.to_local(q.ray.at(start))),
-          block_ray(origin, q.triangle_ray) {
+        : query(q), t_start(start), inverse_scale(frame.inverse_scale), origin(frame.to_local(q.ray.at(start))) {
         rtcInitIntersectContext(this);
     }
     /// The local distance beyond which nothing can be the nearest hit, rounded up.
     float far(double t) const { return static_cast<float>((t - t_start) * inverse_scale * (1.0 + 1e-6) + far_slack); }
+    /// Made when the first block is met: most rays of most scenes meet none.
+    const BlockRay& block_ray() {
+        if (!block_ray_) block_ray_.emplace(origin, query.sheared());
+        return *block_ray_;
+    }
 
     Query& query;
     double t_start;  ///< where the ray enters the scene's box
     double inverse_scale;
     Vec3 origin;  ///< local, at t_start
-    BlockRay block_ray;
+
+private:
+    std::optional<BlockRay> block_ray_;
 };
 
-template <typename Arguments>
-Query& query_of(const Arguments* args) {
-    return static_cast<Context*>(args->context)->query;
-}
 template <typename Arguments>
 const IndexData& data_of(const Arguments* args) {
     return *static_cast<const IndexData*>(args->geometryUserPtr);
 }
 
-/// Lets Embree cull by the hit just found.
-void shrink(const RTCIntersectFunctionNArguments* args) {
-    const Context& context = *static_cast<Context*>(args->context);
-    float& far = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar;
-    far = std::min(far, context.far(context.query.best.shape.t));
-}
+bool test_sphere(const IndexData& data, Context& context, unsigned index, float, bool) { return data.spheres[index].test(context.query); }
 
-/// How an occlusion callback says yes.
-void occlude(const RTCOccludedFunctionNArguments* args) {
-    reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
-}
-
-void intersect_body(const RTCIntersectFunctionNArguments* args) {
-    const IndexData& data = data_of(args);
-    if (*args->valid && data.surfaces.test(data.bodies[args->primID], query_of(args))) shrink(args);
-}
-
-void occluded_body(const RTCOccludedFunctionNArguments* args) {
-    const IndexData& data = data_of(args);
-    if (*args->valid && data.surfaces.test(data.bodies[args->primID], query_of(args))) occlude(args);
+bool test_body(const IndexData& data, Context& context, unsigned index, float, bool) {
+    return data.surfaces.test(data.bodies[index], context.query);
 }
 
 /// Tests the triangles of some lanes in doubles until one is met, or all of them. Kept out of the callbacks: most blocks are dropped there,
@@ -125,22 +110,28 @@ void occluded_body(const RTCOccludedFunctionNArguments* args) {
     return met;
 }
 
-void intersect_block(const RTCIntersectFunctionNArguments* args) {
-    if (!*args->valid) return;
-    const IndexData& data = data_of(args);
-    const TriangleBlock& block = data.blocks[args->primID];
-    const Context& context = *static_cast<Context*>(args->context);
-    const std::uint32_t lanes = lanes_met(block, context.block_ray, reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar);
-    if (lanes != 0 && test_lanes(data, block, lanes, context.query, false)) shrink(args);
+bool test_block(const IndexData& data, Context& context, unsigned index, float far, bool any) {
+    const TriangleBlock& block = data.blocks[index];
+    const std::uint32_t lanes = lanes_met(block, context.block_ray(), far);
+    return lanes != 0 && test_lanes(data, block, lanes, context.query, any);
 }
 
-void occluded_block(const RTCOccludedFunctionNArguments* args) {
+/// The callback for nearest hits, from one of the tests above: offers what it meets to the query, and lets Embree cull by a better hit.
+template <auto test>
+void on_intersect(const RTCIntersectFunctionNArguments* args) {
     if (!*args->valid) return;
-    const IndexData& data = data_of(args);
-    const TriangleBlock& block = data.blocks[args->primID];
-    const Context& context = *static_cast<Context*>(args->context);
-    const std::uint32_t lanes = lanes_met(block, context.block_ray, reinterpret_cast<RTCRay*>(args->ray)->tfar);
-    if (lanes != 0 && test_lanes(data, block, lanes, context.query, true)) occlude(args);
+    Context& context = *static_cast<Context*>(args->context);
+    float& far = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar;
+    if (test(data_of(args), context, args->primID, far, false)) far = std::min(far, context.far(context.query.best.shape.t));
+}
+
+/// The same for occlusion; the infinity says yes.
+template <auto test>
+void on_occluded(const RTCOccludedFunctionNArguments* args) {
+    if (!*args->valid) return;
+    Context& context = *static_cast<Context*>(args->context);
+    float& far = reinterpret_cast<RTCRay*>(args->ray)->tfar;
+    if (test(data_of(args), context, args->primID, far, true)) far = -std::numeric_limits<float>::infinity();
 }
 
 void set_bounds(const RTCBoundsFunctionArguments* args, const Vec3& low, const Vec3& high) {
@@ -151,6 +142,12 @@ void set_bounds(const RTCBoundsFunctionArguments* args, const Vec3& low, const V
     out.upper_x = static_cast<float>(high.x + box_padding);
     out.upper_y = static_cast<float>(high.y + box_padding);
     out.upper_z = static_cast<float>(high.z + box_padding);
+}
+
+void bounds_of_sphere(const RTCBoundsFunctionArguments* args) {
+    const IndexData& data = data_of(args);
+    const Bounds box = bounds(data.spheres[args->primID].sphere);
+    set_bounds(args, data.frame.to_local(box.min), data.frame.to_local(box.max));
 }
 
 void bounds_of_body(const RTCBoundsFunctionArguments* args) {
@@ -178,7 +175,7 @@ void filter_triangle(const RTCFilterFunctionNArguments* args) {
     if (!*args->valid) return;
     const IndexData& data = data_of(args);
     const unsigned triangle = reinterpret_cast<const RTCHit*>(args->hit)->primID;
-    if (!data.surfaces.offer_plane(data.faces[triangle], query_of(args))) *args->valid = 0;
+    if (!data.surfaces.offer_plane(data.faces[triangle], static_cast<Context*>(args->context)->query)) *args->valid = 0;
 }
 
 Bounds bounds_of_all(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects) {
@@ -252,13 +249,15 @@ struct EmbreeIndex::State {
         check();
     }
 
-    void add_callbacks(std::size_t count, RTCBoundsFunction bounds, RTCIntersectFunctionN intersect, RTCOccludedFunctionN occluded) {
+    template <auto test>
+    void add_callbacks(std::size_t count, RTCBoundsFunction bounds) {
+        if (count == 0) return;
         const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
         check();
         rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(count));
         rtcSetGeometryBoundsFunction(geometry.get(), bounds, nullptr);
-        rtcSetGeometryIntersectFunction(geometry.get(), intersect);
-        rtcSetGeometryOccludedFunction(geometry.get(), occluded);
+        rtcSetGeometryIntersectFunction(geometry.get(), on_intersect<test>);
+        rtcSetGeometryOccludedFunction(geometry.get(), on_occluded<test>);
         attach(geometry);
     }
 
@@ -311,26 +310,33 @@ struct EmbreeIndex::State {
         if (root) collect(*root, data, data.blocks);
     }
 
+    void sort_objects() {
+        for (const std::uint32_t object : objects) {
+            const Surface& s = data.surfaces.objects[object];
+            if (s.kind == SurfaceKind::sphere)
+                data.spheres.push_back({data.surfaces.spheres[s.first], object, s.first_primitive, s.seen});
+            else if (s.kind != SurfaceKind::triangles)
+                data.bodies.push_back(object);
+            else
+                for (std::uint32_t face = s.first; face < s.first + s.count; ++face) data.faces.push_back(face);
+        }
+    }
+
     void build(Precision precision, int threads) {
         const KeepFloatingPoint keep;
         device.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
         if (!device) fail(rtcGetDeviceError(nullptr));
         scene.reset(rtcNewScene(device.get()));
         check();
-        for (const std::uint32_t object : objects) {
-            const Surface& s = data.surfaces.objects[object];
-            if (s.kind != SurfaceKind::triangles)
-                data.bodies.push_back(object);
-            else
-                for (std::uint32_t face = s.first; face < s.first + s.count; ++face) data.faces.push_back(face);
-        }
-        if (!data.bodies.empty()) add_callbacks(data.bodies.size(), bounds_of_body, intersect_body, occluded_body);
+        sort_objects();
+        add_callbacks<test_sphere>(data.spheres.size(), bounds_of_sphere);
+        add_callbacks<test_body>(data.bodies.size(), bounds_of_body);
         if (!data.faces.empty() && precision == Precision::fast) {
             add_float_triangles();
         } else if (!data.faces.empty()) {
             make_blocks();
             data.faces = {};
-            add_callbacks(data.blocks.size(), bounds_of_block, intersect_block, occluded_block);
+            add_callbacks<test_block>(data.blocks.size(), bounds_of_block);
         }
         rtcCommitScene(scene.get());
         check();

@@ -90,7 +90,8 @@ bool is_ray(const Ray& ray) {
 
 }  // namespace
 
-SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options) : surfaces_(std::move(surfaces)) {
+SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
+    : surfaces_(std::move(surfaces)), exact_(options.precision == Precision::exact) {
     std::vector<std::uint32_t> indexed;
     for (std::uint32_t object = 0; object < surfaces_.objects.size(); ++object) {
         if (surfaces_.objects[object].count == 0) continue;
@@ -120,15 +121,17 @@ bool SurfaceIndex::nearest(const Ray& ray, const Interval& range, RayKind kind, 
     return query.found;
 }
 
-bool SurfaceIndex::occluded(const Ray& ray, const Interval& range) const {
+bool SurfaceIndex::occluded(const Ray& ray, const Interval& range, Blocker& last) const {
     if (!is_ray(ray)) return false;
+    Query query(ray, range, seen_by::blocker);
+    if (exact_ && last.object != Blocker::none && surfaces_.test_primitive(last.object, last.primitive, query)) return true;
     Interval inside = range;
     const auto entry = embree_ ? embree_->enter(ray, inside) : EmbreeIndex::Entry::none;
-    if (entry == EmbreeIndex::Entry::none && listed_.empty()) return false;
-    Query query(ray, range, seen_by::blocker);
-    for (const std::uint32_t object : listed_)
-        if (surfaces_.test(object, query)) return true;
-    return entry != EmbreeIndex::Entry::none && embree_->occluded(query, entry, inside);
+    bool met = false;
+    for (std::size_t i = 0; i < listed_.size() && !met; ++i) met = surfaces_.test(listed_[i], query);
+    if (!met && entry != EmbreeIndex::Entry::none) met = embree_->occluded(query, entry, inside);
+    last = met ? Blocker{query.best.object, query.best.primitive} : Blocker{};
+    return met;
 }
 
 }  // namespace rt

@@ -17,7 +17,7 @@ public:
     ~SurfaceIndex();
 
     bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
-    bool occluded(const Ray& ray, const Interval& range) const;
+    bool occluded(const Ray& ray, const Interval& range, Blocker& last) const;
     Vec3 normal(const Hit& hit, const Vec3& point) const { return surfaces_.normal(hit, point); }
     const Surfaces& surfaces() const { return surfaces_; }
     /// Objects that are tested one by one for every ray.
@@ -29,6 +29,7 @@ private:
     Surfaces surfaces_;
     std::vector<std::uint32_t> listed_;
     std::unique_ptr<EmbreeIndex> embree_;
+    bool exact_;  ///< every test is in doubles, so one surface answers as all of them would
 };
 
 }  // namespace rt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "geometry/shape.h"
@@ -43,9 +44,8 @@ struct Surface {
 /// A ray's question with the best answer so far; the ray and range outlive it. Equal distances go to the smaller primitive, so the order of
 /// tests does not matter.
 struct Query {
-    Query(const Ray& r, const Interval& i, std::uint8_t bits) : ray(r), triangle_ray(r), range(i), seen(bits) {}
+    Query(const Ray& r, const Interval& i, std::uint8_t bits) : ray(r), range(i), seen(bits) {}
     const Ray& ray;
-    TriangleRay triangle_ray;
     const Interval& range;
     std::uint8_t seen;
     Hit best;
@@ -57,6 +57,28 @@ struct Query {
         best = {hit, primitive, object};
         found = true;
         return true;
+    }
+
+    /// The ray as triangles ask for it; made when the first one does.
+    const TriangleRay& sheared() {
+        if (!sheared_) sheared_.emplace(ray);
+        return *sheared_;
+    }
+
+private:
+    std::optional<TriangleRay> sheared_;
+};
+
+/// A sphere in world space with all that its test reads, side by side.
+struct IndexedSphere {
+    Sphere sphere;
+    std::uint32_t object = 0;
+    std::uint32_t primitive = 0;
+    std::uint8_t seen = 0;  ///< bits of `seen_by`
+
+    bool test(Query& query) const {
+        ShapeHit hit;
+        return (seen & query.seen) && intersect(sphere, query.ray, query.range, hit) && query.offer(hit, primitive, object);
     }
 };
 
@@ -83,11 +105,17 @@ struct Surfaces {
 
     /// Nearest hit of the ray with a whole object, offered to the query; true if it is the best so far.
     bool test(std::uint32_t object, Query& query) const;
+    /// The same for one of its primitives.
+    bool test_primitive(std::uint32_t object, std::uint32_t primitive, Query& query) const {
+        const Surface& s = objects[object];
+        if (s.kind != SurfaceKind::triangles) return test(object, query);
+        return (s.seen & query.seen) && test_face(s.first + (primitive - s.first_primitive), query);
+    }
     /// The same for one triangle, whoever sees it.
     bool test_face(std::uint32_t face, Query& query) const {
         const Face& f = faces[face];
         ShapeHit hit;
-        if (!intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.triangle_ray, query.range, hit)) return false;
+        if (!intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.sheared(), query.range, hit)) return false;
         const std::uint32_t object = face_object[face];
         return query.offer(hit, objects[object].first_primitive + (face - objects[object].first), object);
     }

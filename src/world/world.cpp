@@ -13,7 +13,9 @@ bool World::nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hi
     return surfaces && surfaces->nearest(ray, range, kind, hit);
 }
 
-bool World::occluded(const Ray& ray, const Interval& range) const { return surfaces && surfaces->occluded(ray, range); }
+bool World::occluded(const Ray& ray, const Interval& range, Blocker& last) const {
+    return surfaces && surfaces->occluded(ray, range, last);
+}
 
 Vec3 World::normal(const Hit& hit, const Vec3& point) const { return surfaces->normal(hit, point); }
 

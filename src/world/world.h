@@ -23,6 +23,13 @@ struct Hit {
     std::uint32_t object = 0;     ///< index of the object in the scene, from 0
 };
 
+/// What blocked a shadow ray. The next one from nearby asks it first, since most neighbours are in the same shadow.
+struct Blocker {
+    static constexpr std::uint32_t none = 0xffffffffu;
+    std::uint32_t object = none;
+    std::uint32_t primitive = 0;
+};
+
 struct CompiledObject {
     std::uint32_t material = 0;
     std::uint32_t interior = 0;  ///< index into interiors; every object has one
@@ -62,8 +69,13 @@ public:
     /// Nearest hit with t inside `range` among the objects that `kind` sees; ties go to the object first in the file (and in it to the
     /// face first stated). `ray.direction` is unit. Thread-safe.
     bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
-    /// True if an object that casts shadows and can never transmit has a hit inside `range`. Thread-safe.
-    bool occluded(const Ray& ray, const Interval& range) const;
+    /// True if an object that casts shadows and can never transmit has a hit inside `range`. `last` may be what blocked another ray, and
+    /// becomes what blocks this one; the answer does not depend on it. Thread-safe.
+    bool occluded(const Ray& ray, const Interval& range, Blocker& last) const;
+    bool occluded(const Ray& ray, const Interval& range) const {
+        Blocker last;
+        return occluded(ray, range, last);
+    }
     /// Unit normal as the shape states it (negated by `inverse`), not turned to the viewer; interpolated for smooth triangles.
     Vec3 normal(const Hit& hit, const Vec3& point) const;
     /// Unit normal that stands on the surface itself, of either sign: `normal` but for smooth faces, where it is the flat one.

@@ -70,6 +70,7 @@ TEST_P(EveryScale, ExactIndexFindsWhatBruteForceFinds) {
         const World index = compiled(scene, IndexKind::embree);
         ASSERT_TRUE(index.surfaces->indexed());
         ASSERT_FALSE(brute.surfaces->indexed());
+        Blocker last;
         int hits = 0;
         const int rays = 2100 * effort();
         for (int i = 0; i < rays && differences < 5; ++i) {
@@ -82,7 +83,13 @@ TEST_P(EveryScale, ExactIndexFindsWhatBruteForceFinds) {
                 ++differences;
                 ADD_FAILURE() << found.text() << " instead of " << expected.text() << '\n' << describe(ray, range) << " seed " << seed;
             }
-            ASSERT_EQ(index.occluded(ray, range), brute.occluded(ray, range)) << describe(ray, range);
+            const bool blocked = brute.occluded(ray, range);
+            // With the blocker of the ray before, with its own, and with none.
+            ASSERT_EQ(index.occluded(ray, range, last), blocked) << describe(ray, range);
+            ASSERT_EQ(last.object != Blocker::none, blocked);
+            Blocker own = last;
+            ASSERT_EQ(index.occluded(ray, range, own), blocked) << describe(ray, range);
+            ASSERT_EQ(index.occluded(ray, range), blocked) << describe(ray, range);
         }
         EXPECT_GT(hits, rays / 10);
     }
@@ -124,6 +131,9 @@ TEST_P(EveryScale, FastIndexDisagreesRarelyAndLittle) {
             const Ray ray{random.in_cube(2.0 * extent), random.direction()};
             anywhere.compare(ask(exact, ray, {}, RayKind::image), ask(fast, ray, {}, RayKind::image), extent);
             const Ray aimed = random_ray(random, scene, extent);
+            Blocker last;
+            exact.occluded(aimed, {}, last);
+            ASSERT_EQ(fast.occluded(aimed, {}, last), fast.occluded(aimed, {})) << "depends on the blocker\n" << describe(aimed, {});
             if (length(aimed.origin) > 4.0 * extent) continue;
             at_edges.compare(ask(exact, aimed, {}, RayKind::image), ask(fast, aimed, {}, RayKind::image), extent);
         }
