@@ -11,6 +11,7 @@
 #include "core/shared.h"
 #include "core/source.h"
 #include "geometry/shape.h"
+#include "scene/cells.h"
 #include "scene/transform.h"
 
 namespace rt {
@@ -27,7 +28,7 @@ struct Pigment;
 
 /// `checker A, B`: cubes of size 1 in pattern space. Later patterns become further alternatives of `Pigment::content`.
 struct CheckerPigment {
-    std::vector<Pigment> cells;  ///< exactly two
+    Cells<Pigment> cells;
     bool operator==(const CheckerPigment&) const;
 };
 
@@ -88,7 +89,7 @@ struct PlainTexture {
 
 /// `texture { checker texture{..} texture{..} }`. Each cell may be layered.
 struct CheckerTexture {
-    std::vector<std::vector<Texture>> cells;  ///< exactly two
+    Cells<std::vector<Texture>> cells;
     std::optional<Transform> transform;
     bool operator==(const CheckerTexture&) const;
 };

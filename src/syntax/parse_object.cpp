@@ -20,14 +20,14 @@ struct Draft {
     std::optional<Transform> interior_texture_motion;
 };
 
-void settle(std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always) {
-    if (layers && motion && (always || has_any_pattern(*layers))) transform_layers(*layers, *motion);
+void settle(Reader& reader, std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always) {
+    if (layers && motion && (always || has_any_pattern(*layers))) transform_layers(reader, *layers, *motion);
     motion.reset();
 }
 
-void settle(Draft& draft, bool always) {
-    settle(draft.object.texture, draft.texture_motion, always);
-    settle(draft.object.interior_texture, draft.interior_texture_motion, always);
+void settle(Reader& reader, Draft& draft, bool always) {
+    settle(reader, draft.object.texture, draft.texture_motion, always);
+    settle(reader, draft.object.interior_texture, draft.interior_texture_motion, always);
 }
 
 void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
@@ -43,7 +43,7 @@ bool accept_material(Reader& reader, Draft& draft) {
     if (!next.is(Word::texture) && !next.is(Word::interior_texture) && !next.is(Word::material) && !next.is(Word::pigment) &&
         !next.is(Word::finish) && !next.is(Word::normal))
         return false;
-    settle(draft, true);
+    settle(reader, draft, true);
     if (accept_layer_part(reader, object.texture)) return true;
     reader.take();
     if (next.is(Word::texture)) {
@@ -51,7 +51,8 @@ bool accept_material(Reader& reader, Draft& draft) {
     } else if (next.is(Word::interior_texture)) {
         parse_texture(reader, object.interior_texture);
     } else {
-        MaterialValue material = parse_material(reader, {object.texture, object.interior_texture, object.interior});
+        MaterialValue material =
+            parse_material(reader, {std::move(object.texture), std::move(object.interior_texture), std::move(object.interior)});
         object.texture = std::move(material.texture);
         object.interior_texture = std::move(material.interior_texture);
         object.interior = std::move(material.interior);
@@ -122,7 +123,7 @@ void parse_modifiers(Reader& reader, Draft& draft, const ShapeSyntax* shape) {
             break;
         }
     }
-    settle(draft, false);
+    settle(reader, draft, false);
     if (draft.object.interior_texture && !draft.object.texture && reader.at_block_end())
         reader.fail(reader.peek().span, "Interior texture requires an exterior texture.");
 }

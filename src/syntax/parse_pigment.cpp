@@ -1,4 +1,6 @@
 // pigment { }
+#include <array>
+
 #include "syntax/blocks.h"
 #include "syntax/parameters.h"
 #include "syntax/texture_layers.h"
@@ -13,27 +15,24 @@ constexpr PigmentColor stand_in{Rgb(0.5), 0.0, 0.0};
 
 /// Two colours or two pigment blocks; what is missing has its default.
 CheckerPigment parse_checker(Reader& reader) {
-    const Span place = reader.last_place();
-    CheckerPigment checker;
     const Pigment blue{PigmentColor{Rgb(0, 0, 1), 0, 0}, {}, {}};
     const Pigment green{PigmentColor{Rgb(0, 1, 0), 0, 0}, {}, {}};
-    checker.cells = {blue, green};
+    std::array cells{blue, green};
     if (reader.peek().is(Word::pigment)) {
-        checker.cells = {default_pigment(reader), default_pigment(reader)};
-        for (Pigment& cell : checker.cells) {
+        cells = {default_pigment(reader), default_pigment(reader)};
+        for (Pigment& cell : cells) {
             if (!reader.accept(Word::pigment)) break;
             cell = parse_pigment(reader, std::move(cell));
             reader.accept_comma();
         }
-        limit_nodes(reader, place, 1 + count_nodes(checker.cells[0]) + count_nodes(checker.cells[1]));
-        return checker;
+        return {{std::move(cells[0]), std::move(cells[1])}};
     }
-    for (Pigment& cell : checker.cells) {
+    for (Pigment& cell : cells) {
         if (!at_color(reader) && (!reader.at_expression() || reader.peek().is('<'))) break;
         cell.content = parse_color(reader);
         reader.accept_comma();
     }
-    return checker;
+    return {{std::move(cells[0]), std::move(cells[1])}};
 }
 
 /// The colour or pattern that a pigment begins with; false if there is none.
@@ -46,6 +45,7 @@ bool parse_content(Reader& reader, Pigment& pigment) {
     if (next.kind != Token::Kind::word) return false;
     if (reader.accept(Word::checker)) {
         pigment.content = parse_checker(reader);
+        limit_size(reader, next.span, tree_size(pigment));
         return true;
     }
     if (!is_unmodelled_pattern(next.word)) return false;

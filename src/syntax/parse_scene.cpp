@@ -1,6 +1,7 @@
 // The statements of a file, and what is decided when it ends.
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
+#include "syntax/texture_layers.h"
 #include "syntax/unmodelled.h"
 
 namespace rt {
@@ -13,9 +14,17 @@ struct Placed {
     bool anything = false;  ///< an object, even one that can never be hit, or a light
 };
 
+/// What objects share counts once.
+void count_texture(Reader& reader, const Span& place, const TextureLayers& layers) {
+    if (layers->size() <= 1 && !has_any_pattern(layers)) return;
+    if (reader.is_first_use(layers)) reader.count_scene_nodes(place, tree_size(*layers).nodes - 1);
+}
+
 void place_objects(Reader& reader, ObjectValue value) {
     for (Object& object : value.objects) {
         if (!object.texture) object.texture = reader.default_texture();
+        count_texture(reader, object.span, *object.texture);
+        if (object.interior_texture) count_texture(reader, object.span, *object.interior_texture);
         reader.scene().objects.push_back(std::move(object));
     }
 }

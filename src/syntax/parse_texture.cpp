@@ -11,20 +11,16 @@ namespace {
 /// `checker texture { } texture { }`; a cell that is not stated is the default texture.
 CheckerTexture parse_checker_texture(Reader& reader) {
     const Span place = reader.last_place();
-    CheckerTexture checker;
-    std::size_t nodes = 0;
-    for (int i = 0; i < 2; ++i) {
-        std::optional<TextureLayers> cell;
+    std::optional<TextureLayers> cells[2];
+    for (std::optional<TextureLayers>& cell : cells) {
         if (reader.accept(Word::texture)) {
             parse_texture(reader, cell);
             reader.accept_comma();
         }
-        const TextureLayers& layers = layers_or_default(reader, cell);
-        nodes += count_nodes(*layers);
-        limit_nodes(reader, place, nodes);
-        checker.cells.push_back(*layers);
+        layers_or_default(reader, cell);
+        reader.count_scene_nodes(place, (*cell)->size() - 1);
     }
-    return checker;
+    return {{**cells[0], **cells[1]}, {}};
 }
 
 /// tiles, material_map or a pattern with a texture_map: reported and skipped; true if one comes next.
@@ -39,7 +35,7 @@ bool skip_unmodelled_texture(Reader& reader) {
 }
 
 void parse_transforms(Reader& reader, std::optional<TextureLayers>& layers) {
-    if (const std::optional<Transform> t = accept_transforms(reader)) transform_layers(layers_or_default(reader, layers), *t);
+    if (const std::optional<Transform> t = accept_transforms(reader)) transform_layers(reader, layers_or_default(reader, layers), *t);
 }
 
 /// A layer that is no pattern of textures: edits the top of `layers`.
@@ -60,8 +56,8 @@ bool accept_material_part(Reader& reader, MaterialValue& material) {
     } else if (reader.accept(Word::interior)) {
         material.interior = parse_interior(reader, material.interior.value_or(Shared<Interior>()));
     } else if (const std::optional<Transform> t = accept_transforms(reader)) {
-        if (material.texture) transform_layers(*material.texture, *t);
-        if (material.interior_texture) transform_layers(*material.interior_texture, *t);
+        if (material.texture) transform_layers(reader, *material.texture, *t);
+        if (material.interior_texture) transform_layers(reader, *material.interior_texture, *t);
     } else {
         return false;
     }
@@ -77,7 +73,9 @@ void parse_texture(Reader& reader, std::optional<TextureLayers>& layers) {
     if (own && is_patterned(*own)) {
         parse_transforms(reader, own);
     } else if (reader.accept(Word::checker)) {
+        const Span place = reader.last_place();
         own = std::vector<Texture>{Texture{parse_checker_texture(reader)}};
+        limit_size(reader, place, tree_size(**own));
         parse_transforms(reader, own);
     } else if (!skip_unmodelled_texture(reader)) {
         parse_plain_parts(reader, own);

@@ -24,9 +24,12 @@ struct ParseOptions {
     std::size_t max_file_bytes = std::size_t{1} << 30;  ///< per file
     int max_include_depth = 100;
     std::size_t max_includes = 1'000'000;  ///< `#include`s carried out, so that files which include each other twice end
-    int max_nesting = 1000;                ///< of blocks and parentheses
+    int max_nesting = 100;                 ///< of blocks and parentheses: what a stack of 1 MB holds in every build
     /// Of one texture: a colour, or a pattern besides its cells, is one node in each layer. Names make textures double with each line.
-    std::size_t max_texture_nodes = 100'000;
+    std::size_t max_texture_nodes = 1000;
+    std::size_t max_texture_depth = 100;  ///< of patterns inside patterns
+    /// Of the whole scene: nodes beyond the first of each texture, counted once where objects share it.
+    std::size_t max_scene_nodes = 2'000'000;
     /// Where the text of an included path comes from, empty if there is none; unset: the file system.
     std::function<std::optional<std::string>(const std::string& path)> read_include;
 };

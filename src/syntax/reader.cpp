@@ -184,6 +184,16 @@ bool Reader::version_stated() const { return state_->version_stated; }
 bool Reader::version_came_late() const { return state_->version_late; }
 TextureLayers& Reader::default_texture() { return state_->default_texture; }
 
+void Reader::count_scene_nodes(const Span& place, std::size_t nodes) {
+    const std::size_t most = options().max_scene_nodes;
+    state_->scene_nodes += nodes;
+    if (state_->scene_nodes > most)
+        throw LimitError(scene().sources.describe(
+            place, "Parse Error", fmt::format("The textures of the scene have more than {} pigments beyond the first of each.", most)));
+}
+
+bool Reader::is_first_use(const TextureLayers& placed) { return state_->placed_textures.insert(placed.identity()).second; }
+
 Span Reader::State::since(const Span& first) const {
     Span whole = first;
     if (last.file == first.file && last.end > first.end) whole.end = last.end;

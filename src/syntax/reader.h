@@ -92,6 +92,9 @@ public:
     bool version_came_late() const;  ///< the first #version was not the first thing in the scene
     /// #default: the template of new textures and of objects without one.
     TextureLayers& default_texture();
+    /// Counts what textures add up to and throws LimitError at `place` where it is too much.
+    void count_scene_nodes(const Span& place, std::size_t nodes);
+    bool is_first_use(const TextureLayers& placed);  ///< has no object in the scene had just these layers?
 
     struct State;  ///< internals (reader_state.h) for directives and expressions
 

@@ -3,6 +3,7 @@
 
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,8 @@ struct Reader::State {
     bool anything_read = false;  ///< a token or directive other than `#version` came first
     bool version_late = false;
     TextureLayers default_texture;
+    std::size_t scene_nodes = 0;
+    std::unordered_set<const void*> placed_textures;  ///< the scene's objects keep them alive
     std::vector<std::uint32_t> random_streams;
 };
 

@@ -10,6 +10,15 @@
 
 namespace rt {
 
+namespace {
+
+void add_cell(TreeSize& pattern, const TreeSize& cell) {
+    pattern.nodes += cell.nodes;
+    pattern.depth = std::max(pattern.depth, cell.depth + 1);
+}
+
+}  // namespace
+
 TextureLayers& layers_or_default(Reader& reader, std::optional<TextureLayers>& layers) {
     if (!layers) layers = reader.default_texture();
     return *layers;
@@ -17,7 +26,7 @@ TextureLayers& layers_or_default(Reader& reader, std::optional<TextureLayers>& l
 
 PlainTexture& edit_top(Reader& reader, TextureLayers& layers) {
     if (is_patterned(layers)) reader.fail(reader.peek().span, "Cannot layer over a patterned texture.");
-    return std::get<PlainTexture>(layers.edit().back().content);
+    return std::get<PlainTexture>(edit_all(reader, layers).back().content);
 }
 
 void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& layers, const TextureLayers& upper) {
@@ -27,13 +36,23 @@ void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& laye
     }
     if (is_patterned(*layers)) reader.fail(place, "Cannot layer over a patterned texture.");
     if (is_patterned(upper)) reader.fail(place, "Cannot layer a patterned texture over another.");
-    limit_nodes(reader, place, count_nodes(**layers) + count_nodes(*upper));
-    std::vector<Texture>& all = layers->edit();
+    const TreeSize lower_size = tree_size(**layers);
+    const TreeSize upper_size = tree_size(*upper);
+    limit_size(reader, place, {lower_size.nodes + upper_size.nodes, std::max(lower_size.depth, upper_size.depth)});
+    std::vector<Texture>& all = edit_all(reader, *layers);
+    reader.count_scene_nodes(place, upper->size());
     all.insert(all.end(), upper->begin(), upper->end());
 }
 
-void transform_layers(TextureLayers& layers, const Transform& t) {
-    for (Texture& layer : layers.edit()) {
+std::vector<Texture>& edit_all(Reader& reader, TextureLayers& layers) {
+    const std::vector<Texture>* const before = layers.identity();
+    std::vector<Texture>& all = layers.edit();
+    if (&all != before) reader.count_scene_nodes(reader.last_place(), all.size() - 1);
+    return all;
+}
+
+void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t) {
+    for (Texture& layer : edit_all(reader, layers)) {
         if (auto* plain = std::get_if<PlainTexture>(&layer.content))
             append(plain->pigment.transform, t);
         else
@@ -54,29 +73,33 @@ bool has_any_pattern(const TextureLayers& layers) {
 
 Pigment default_pigment(Reader& reader) { return std::get<PlainTexture>(reader.default_texture()->back().content).pigment; }
 
-std::size_t count_nodes(const Pigment& pigment) {
-    std::size_t nodes = 1;
+TreeSize tree_size(const Pigment& pigment) {
+    TreeSize whole{1, 0};
     if (const auto* checker = std::get_if<CheckerPigment>(&pigment.content))
-        for (const Pigment& cell : checker->cells) nodes += count_nodes(cell);
-    return nodes;
+        for (const Pigment& cell : checker->cells) add_cell(whole, tree_size(cell));
+    return whole;
 }
 
-std::size_t count_nodes(const std::vector<Texture>& layers) {
-    std::size_t nodes = 0;
+TreeSize tree_size(const std::vector<Texture>& layers) {
+    TreeSize whole;
     for (const Texture& layer : layers) {
+        TreeSize size;
         if (const auto* plain = std::get_if<PlainTexture>(&layer.content))
-            nodes += count_nodes(plain->pigment);
+            size = tree_size(plain->pigment);
         else
-            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(layer.content).cells) nodes += count_nodes(cell);
+            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(layer.content).cells) add_cell(size, tree_size(cell));
+        whole = {whole.nodes + size.nodes, std::max(whole.depth, size.depth)};
     }
-    return nodes;
+    return whole;
 }
 
-void limit_nodes(Reader& reader, const Span& place, std::size_t nodes) {
-    const std::size_t most = reader.options().max_texture_nodes;
-    if (nodes <= most) return;
-    throw LimitError(reader.scene().sources.describe(place, "Parse Error",
-                                                     fmt::format("A texture has more than {} pigments in its layers and cells.", most)));
+void limit_size(Reader& reader, const Span& place, const TreeSize& size) {
+    const ParseOptions& options = reader.options();
+    const auto fail = [&](const std::string& text) { throw LimitError(reader.scene().sources.describe(place, "Parse Error", text)); };
+    if (size.nodes > options.max_texture_nodes)
+        fail(fmt::format("A texture has more than {} pigments in its layers and cells.", options.max_texture_nodes));
+    if (size.depth > options.max_texture_depth)
+        fail(fmt::format("The patterns of a texture are nested more than {} deep.", options.max_texture_depth));
 }
 
 bool accept_layer_part(Reader& reader, std::optional<TextureLayers>& layers) {

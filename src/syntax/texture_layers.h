@@ -9,19 +9,24 @@ namespace rt {
 TextureLayers& layers_or_default(Reader& reader, std::optional<TextureLayers>& layers);
 /// The top layer for editing. Fails at the next token if it is patterned.
 PlainTexture& edit_top(Reader& reader, TextureLayers& layers);
+/// The layers for editing; what has to be copied for it counts.
+std::vector<Texture>& edit_all(Reader& reader, TextureLayers& layers);
 /// Stacks `upper` on what is there. Fails at `place` if either is patterned.
 void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& layers, const TextureLayers& upper);
-void transform_layers(TextureLayers& layers, const Transform& t);
+void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t);
 bool is_patterned(const TextureLayers& layers);     ///< a checker of textures
 bool has_any_pattern(const TextureLayers& layers);  ///< does it look different when it is moved?
 Pigment default_pigment(Reader& reader);
 
-/// Nodes of a pigment: itself and those of its cells.
-std::size_t count_nodes(const Pigment& pigment);
-/// Nodes of the pigments of all layers; a checker of textures has those of its cells.
-std::size_t count_nodes(const std::vector<Texture>& layers);
-/// Throws LimitError at `place` if a texture put together there from parts of so many `nodes` is too large.
-void limit_nodes(Reader& reader, const Span& place, std::size_t nodes);
+/// How large a tree of pigments or textures is. A pattern of pigments is a node besides those of its cells, one of textures is none.
+struct TreeSize {
+    std::size_t nodes = 0;
+    std::size_t depth = 0;  ///< patterns inside patterns
+};
+TreeSize tree_size(const Pigment& pigment);
+TreeSize tree_size(const std::vector<Texture>& layers);
+/// Throws LimitError at `place` if what was put together there is too large.
+void limit_size(Reader& reader, const Span& place, const TreeSize& size);
 
 /// Takes `pigment { }`, `finish { }` or `normal { }` and edits the top layer with it; false if none of them comes next.
 bool accept_layer_part(Reader& reader, std::optional<TextureLayers>& layers);

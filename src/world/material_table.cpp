@@ -1,5 +1,7 @@
 #include "world/material_table.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
 namespace rt {
@@ -24,19 +26,25 @@ private:
 
 void hash_color(Hash& hash, const PigmentColor& c) { hash << c.rgb << c.filter << c.transmit; }
 
+void hash_optional(Hash& hash, const std::optional<double>& x) { hash.mix(x.has_value()) << x.value_or(0.0); }
+
 void hash_transform(Hash& hash, const std::optional<Transform>& t) {
     if (t) hash << t->linear[0] << t->linear[1] << t->linear[2] << t->offset;
 }
 
 void hash_pigment(Hash& hash, const Pigment& pigment) {
     hash_transform(hash, pigment.transform);
+    if (pigment.quick_color) hash_color(hash, *pigment.quick_color);
     if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) return hash_color(hash, *color);
     for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) hash_pigment(hash, cell);
 }
 
 void hash_finish(Hash& hash, const Finish& f) {
-    hash << f.ambient << f.emission << f.diffuse << f.diffuse_back << f.brilliance << f.phong << f.phong_size << f.specular
-         << f.roughness.value_or(-1.0) << f.metallic << f.reflection.min << f.reflection.max << f.reflection.falloff;
+    hash << f.ambient << f.emission << f.diffuse << f.diffuse_back << f.brilliance << f.phong << f.phong_size << f.specular << f.metallic
+         << f.reflection.min << f.reflection.max << f.reflection.falloff << f.reflection.exponent << f.reflection.metallic;
+    hash.mix(f.reflection.fresnel).mix(f.conserve_energy);
+    for (const std::optional<double>& x : {f.roughness, f.ior, f.refraction, f.caustics}) hash_optional(hash, x);
+    for (const SceneOption& option : f.options) hash.mix(option.span.file).mix(option.span.begin);
 }
 
 void hash_layers(Hash& hash, const std::vector<Texture>& layers) {
@@ -130,6 +138,7 @@ LayerNode MaterialTable::make_layer(const Texture& texture, double ior, const Sp
     LayerNode node;
     if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
         add_pigment(plain->pigment, node.pigment);
+        nodes_ += node.pigment.size();
         node.finish = make_finish(plain->finish, ior, span);
         return node;
     }
@@ -151,9 +160,23 @@ Material MaterialTable::make(const Object& object, const Origin& origin) {
     Material material;
     if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, object.span);
     if (origin.interior_texture) material.interior_layers = make_layers(**origin.interior_texture, origin.ior, object.span);
+    // Beyond what the file shares, each index of refraction makes materials of its own.
+    if (nodes_ > max_nodes_ + materials_.size() + 1)
+        throw LimitError(scene_.sources.describe(
+            object.span, "Error", fmt::format("The scene's materials have more than {} pigments beyond the first of each.", max_nodes_)));
     material.can_transmit = can_transmit(material.layers) || can_transmit(material.interior_layers);
     material.can_reflect = can_reflect(material.layers) || can_reflect(material.interior_layers);
     return material;
+}
+
+std::size_t MaterialTable::hash(const TextureLayers& layers) {
+    const auto known = hashes_.find(layers.identity());
+    if (known != hashes_.end()) return known->second;
+    Hash hash;
+    hash_layers(hash, *layers);
+    const auto* only = layers->size() == 1 ? std::get_if<PlainTexture>(&layers->front().content) : nullptr;
+    if (!only || !std::holds_alternative<PigmentColor>(only->pigment.content)) hashes_.emplace(layers.identity(), hash.value());
+    return hash.value();
 }
 
 std::uint32_t MaterialTable::add(const Object& object) {
@@ -163,7 +186,7 @@ std::uint32_t MaterialTable::add(const Object& object) {
     Hash hash;
     hash << origin.ior;
     for (const TextureLayers* layers : {origin.texture, origin.interior_texture})
-        if (layers) hash_layers(hash, **layers);
+        if (layers) hash.mix(this->hash(*layers));
     const auto [begin, end] = by_content_.equal_range(hash.value());
     for (auto it = begin; it != end; ++it) {
         const Origin& known = it->second;

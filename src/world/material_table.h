@@ -11,8 +11,9 @@ namespace rt {
 /// Collects materials; objects with the same textures and the same index of refraction share one.
 class MaterialTable {
 public:
-    MaterialTable(const Scene& scene, const CompileOptions& options, const MessageSink& warn)
-        : scene_(scene), options_(options), warn_(warn) {}
+    /// Materials with more than `max_nodes` pigments beyond the first of each are a LimitError.
+    MaterialTable(const Scene& scene, const CompileOptions& options, const MessageSink& warn, std::size_t max_nodes = 2'000'000)
+        : scene_(scene), options_(options), warn_(warn), max_nodes_(max_nodes) {}
 
     /// Index of the object's material.
     std::uint32_t add(const Object& object);
@@ -27,6 +28,7 @@ private:
         double ior;
         std::uint32_t material;
     };
+    std::size_t hash(const TextureLayers& layers);
     Material make(const Object& object, const Origin& origin);
     std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, const Span& span);
     LayerNode make_layer(const Texture& texture, double ior, const Span& span);
@@ -37,6 +39,9 @@ private:
     const MessageSink& warn_;
     std::vector<Material> materials_;
     std::unordered_multimap<std::size_t, Origin> by_content_;
+    std::unordered_map<const void*, std::size_t> hashes_;  ///< of the layers that are more than one pigment
+    std::size_t max_nodes_;
+    std::size_t nodes_ = 0;
     bool warned_specular_ = false;
 };
 

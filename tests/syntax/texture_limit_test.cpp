@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/syntax/read_scene.h"
 
 namespace rt {
@@ -66,9 +68,56 @@ TEST(TextureLimit, IsMetExactly) {
     }
 }
 
-TEST(TextureLimit, TheDefaultIsAHundredThousand) {
-    EXPECT_EQ(read_scene(doubling(first_texture, layers, 16)).error, "");
-    EXPECT_TRUE(read_scene(doubling(first_texture, layers, 17)).limit);
+TEST(TextureLimit, TheDefaultIsAThousand) {
+    EXPECT_EQ(read_scene(doubling(first_texture, layers, 9)).error, "");
+    EXPECT_TRUE(read_scene(doubling(first_texture, layers, 10)).limit);
+}
+
+const std::string pigment_chain = "#declare {1} = pigment {{ checker pigment {{ {0} }} pigment {{ rgb 1 }} }}\n";
+const std::string texture_chain = "#declare {1} = texture {{ checker texture {{ {0} }} texture {{ }} }}\n";
+
+TEST(TextureLimit, PatternsInsidePatterns) {
+    for (const auto& [first, chain, name] :
+         {std::tuple(first_pigment, pigment_chain, "pigment"), {first_texture, texture_chain, "texture"}}) {
+        EXPECT_EQ(read_scene(doubling(first, chain, 100)).error, "");
+        EXPECT_EQ(error_text(doubling(first, chain, 20'000)), "The patterns of a texture are nested more than 100 deep.");
+        EXPECT_TRUE(error_text(doubling(first, chain, 100) + fmt::format("sphere {{ 0, 1 {} {{ P100 }} }}", name)).empty());
+    }
+    // Pigments inside the cells of textures count as well.
+    const std::string mixed =
+        doubling(first_pigment, pigment_chain, 100) + "sphere { 0, 1 texture { checker texture { pigment { P100 } } } }";
+    EXPECT_EQ(error_text(mixed), "The patterns of a texture are nested more than 100 deep.");
+}
+
+const std::string too_much = "The textures of the scene have more than 10 pigments beyond the first of each.";
+
+TEST(TextureLimit, ObjectsCountTogether) {
+    ParseOptions options;
+    options.max_scene_nodes = 10;
+    const std::string tree = "#declare P = pigment { checker rgb 1 rgb 0 }\n";  // a pattern and two colours: 2 beyond the first
+    const auto objects = [&](const std::string& modifiers, int count) {
+        std::string text = tree + "#declare T = texture { pigment { P } }\n";
+        for (int i = 0; i < count; ++i) text += "sphere { 0, 1 " + modifiers + " }\n";
+        return text;
+    };
+    EXPECT_EQ(error_text(objects("pigment { P }", 5), options), "");
+    EXPECT_EQ(error_text(objects("pigment { P }", 6), options), too_much);
+    EXPECT_EQ(error_text(objects("texture { T }", 1000), options), "");  // all share one
+    EXPECT_EQ(error_text(objects("pigment { rgb 1 }", 1000), options), "");
+}
+
+TEST(TextureLimit, NamesCountTogether) {
+    ParseOptions options;
+    options.max_scene_nodes = 10;
+    std::string text = "#declare A = texture { } texture { } texture { }\n";  // two layers beyond the first
+    for (int i = 0; i < 5; ++i) text += fmt::format("#declare B{} = texture {{ A rotate x }}\n", i);
+    EXPECT_EQ(error_text(text, options), too_much);
+}
+
+TEST(TextureLimit, ManyLayersAreRefusedAtOnce) {
+    std::string text = "#declare A =";
+    for (int i = 0; i < 100'001; ++i) text += " texture { }";
+    EXPECT_EQ(error_text(text), "A texture has more than 1000 pigments in its layers and cells.");
 }
 
 }  // namespace
