@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "film/temporary_files.h"
+
 namespace rt {
 
 namespace {
@@ -14,6 +16,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only
 
 void on_signal(int) {
     if (render_listens.load() && !stop_asked.exchange(true)) return;
+    remove_temporary_files();
     constexpr char text[] = "\nraytrace: interrupted\n";
     const auto written = write(STDERR_FILENO, text, sizeof text - 1);
     static_cast<void>(written);
@@ -36,8 +39,11 @@ void install_signal_handlers() {
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction inherited {};
+        sigaction(signal, nullptr, &inherited);
+        if (inherited.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+    }
     std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "core/source.h"
+#include "film/temporary_files.h"
 
 namespace rt {
 namespace {
@@ -58,12 +59,14 @@ void OutputFile::open_temporary() {
     const std::string stem = target.filename().string().substr(0, 64);
     for (int attempt = 0;; ++attempt) {
         temporary_ = (target.parent_path() / fmt::format(".{}.{}.{}.tmp", stem, getpid(), attempt)).string();
+        const HoldSignals until_registered;
         const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        const int code = errno;
         if (descriptor >= 0) {
+            remember_temporary(temporary_);
             stream_ = fdopen(descriptor, "wb");
             return;
         }
-        const int code = errno;
         if (code == EEXIST && attempt < 100) continue;
         temporary_.clear();
         fail(code);
@@ -72,7 +75,9 @@ void OutputFile::open_temporary() {
 
 OutputFile::~OutputFile() {
     if (stream_ && stream_ != stdout) std::fclose(stream_);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
+    if (temporary_.empty()) return;
+    unlink(temporary_.c_str());
+    forget_temporary(temporary_);
 }
 
 void OutputFile::fail(int code, const std::string& reason) const {
@@ -92,6 +97,7 @@ void OutputFile::commit() {
     stream_ = nullptr;
     if (closed != 0) fail(errno);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    forget_temporary(temporary_);
     temporary_.clear();
 }
 
@@ -99,11 +105,16 @@ ScratchFile::ScratchFile() {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     path_ = ((error ? fs::path("/tmp") : folder) / "raytrace.XXXXXX").string();
+    const HoldSignals until_registered;
     const int descriptor = mkstemp(path_.data());
     if (descriptor < 0) throw OutputError(fmt::format("Cannot write a temporary file '{}': {}", path_, std::strerror(errno)));
+    remember_temporary(path_);
     close(descriptor);
 }
 
-ScratchFile::~ScratchFile() { unlink(path_.c_str()); }
+ScratchFile::~ScratchFile() {
+    unlink(path_.c_str());
+    forget_temporary(path_);
+}
 
 }  // namespace rt

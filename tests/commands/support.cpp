@@ -87,6 +87,27 @@ void wait_for_workers(pid_t child) {
     }
 }
 
+/// A file in the current folder whose name contains `part` and that is not empty.
+bool has_content(const std::string& part) {
+    std::error_code gone;
+    for (const auto& entry : fs::directory_iterator(".", gone))
+        if (entry.path().filename().string().find(part) != std::string::npos && entry.file_size(gone) > 0 && !gone) return true;
+    return false;
+}
+
+/// False if the process has ended before, or goes on so fast that the file is gone when it stands still.
+bool stop_at_file(pid_t child, const std::string& part) {
+    siginfo_t ended{};
+    while (!has_content(part)) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+        if (ended.si_pid != 0) return false;
+    }
+    kill(child, SIGSTOP);
+    waitid(P_PID, static_cast<id_t>(child), &ended, WSTOPPED | WEXITED | WNOWAIT);
+    return has_content(part);
+}
+
 int wait_for(pid_t child) {
     int status = 0;
     waitpid(child, &status, 0);
@@ -112,6 +133,21 @@ Outcome run(const std::vector<std::string>& words, const std::string& out_file) 
     outcome.status = wait_for(start(words, out, err));
     if (out_file.empty()) outcome.out = take_file(out);
     outcome.err = take_file(err);
+    return outcome;
+}
+
+Outcome run_and_interrupt_at_file(const std::vector<std::string>& words, const std::string& part, const std::vector<int>& signals) {
+    const std::string out = stream_name("out");
+    const std::string err = stream_name("err");
+    const pid_t child = start(words, out, err);
+    const bool stopped = stop_at_file(child, part);
+    for (const int signal : signals) kill(child, signal);
+    kill(child, SIGCONT);
+    Outcome outcome;
+    outcome.status = wait_for(child);
+    outcome.out = take_file(out);
+    outcome.err = take_file(err);
+    if (!stopped) throw std::runtime_error("the program ended before it wrote a file with '" + part + "' in its name: " + outcome.err);
     return outcome;
 }
 

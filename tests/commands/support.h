@@ -34,6 +34,10 @@ Outcome run(const std::vector<std::string>& words, const std::string& out_file =
 /// Starts the program, waits until it has worker threads, sends it `signals` in one go and waits for its end.
 Outcome run_and_interrupt(const std::vector<std::string>& words, const std::vector<int>& signals);
 
+/// Starts the program, stops it as soon as a file in the current folder whose name contains `part` holds something, sends it `signals`
+/// and lets it go on: they all arrive before it does anything else. Throws if the program ends without such a file.
+Outcome run_and_interrupt_at_file(const std::vector<std::string>& words, const std::string& part, const std::vector<int>& signals);
+
 /// A small scene that renders at once: a lit sphere.
 extern const char* const small_scene;
 
