@@ -40,6 +40,7 @@ struct CommandLine::State {
     CLI::App app;
     std::vector<std::string> others;
     bool help_asked = false;
+    bool hide = false;
 };
 
 CommandLine::CommandLine(std::string usage, std::string footer) : state_(std::make_unique<State>()) {
@@ -62,7 +63,7 @@ void CommandLine::value(const std::string& names, const std::string& type, const
         },
         help);
     option->type_name(type)->type_size(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    if (help.empty()) option->group("");
+    if (help.empty() || state_->hide) option->group("");
 }
 
 void CommandLine::values(const std::string& names, const std::string& type, const std::string& help,
@@ -76,7 +77,7 @@ void CommandLine::values(const std::string& names, const std::string& type, cons
         },
         help);
     option->type_name(type)->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    if (help.empty()) option->group("");
+    if (help.empty() || state_->hide) option->group("");
 }
 
 void CommandLine::flag(const std::string& names, const std::string& help, std::function<void()> use) {
@@ -86,8 +87,10 @@ void CommandLine::flag(const std::string& names, const std::string& help, std::f
             if (!state_->help_asked && count > 0) use();
         },
         help);
-    if (help.empty()) option->group("");
+    if (help.empty() || state_->hide) option->group("");
 }
+
+void CommandLine::hide_from_help() { state_->hide = true; }
 
 bool CommandLine::takes_value(const std::string& word) const {
     const CLI::Option* option = state_->app.get_option_no_throw(word);

@@ -20,6 +20,8 @@ public:
     /// The same, but `use` gets every value in order.
     void values(const std::string& names, const std::string& type, const std::string& help, std::function<void(const std::string&)> use);
     void flag(const std::string& names, const std::string& help, std::function<void()> use);
+    /// Options defined from now on are not in --help.
+    void hide_from_help();
 
     /// Is `word` (without any "=value") an option that takes its value from the next word?
     bool takes_value(const std::string& word) const;

@@ -24,9 +24,13 @@ constexpr int further_rays = 6;
 
 /// The course's words as ours: FILE WIDTH HEIGHT and options in any order.
 Words render_words(const Words& words) {
-    Words result{"--profile=csc473", "--output=output.png", "--quiet"};
-    Words positional;
-    for (const std::string& word : words) {
+    Words options, positional;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (word == "--") {
+            positional.insert(positional.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
+            break;
+        }
         const std::string name = word.substr(0, word.find('='));
         if (name == "-sds") continue;  // a spatial data structure: there is always one
         if (std::find(later_options.begin(), later_options.end(), name) != later_options.end() || name.starts_with("-gi_"))
@@ -35,13 +39,14 @@ Words render_words(const Words& words) {
         if (course && name != "-ss")
             throw OptionError(
                 fmt::format("unknown option '{}'{}", name, did_you_mean(name, {"-ss", "-fresnel", "-altbrdf", "-beers", "-gi", "-sds"})));
-        if (!word.starts_with('-') && positional.size() < 3)
-            positional.push_back(word);
-        else
-            result.push_back(word);
+        (word.starts_with('-') ? options : positional).push_back(word);
+        const bool separate = word == "-ss" || (word.starts_with("--") && render_option_takes_value(word));
+        if (separate && i + 1 < words.size()) options.push_back(words[++i]);
     }
     if (positional.size() != 3) throw OptionError("expected: raytrace render SCENE WIDTH HEIGHT [options]");
-    result.insert(result.end(), {"--width=" + positional[1], "--height=" + positional[2], "--input=" + positional[0]});
+    Words result{"--profile=csc473",         "--output=output.png",      "--quiet",
+                 "--input=" + positional[0], "--width=" + positional[1], "--height=" + positional[2]};
+    result.insert(result.end(), options.begin(), options.end());
     return result;
 }
 

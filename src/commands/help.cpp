@@ -15,7 +15,8 @@ const char* const render_footer =
     "work too: +W320 +A0.3 ...";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
-const char* const requires_footer = "Exit status: 0, or 1 if a scene has a mistake.";
+const char* const requires_footer =
+    "A render's options and POV-Ray's (+Iscene.pov +Ldir ...) are understood, too.\nExit status: 0, or 1 if a scene has a mistake.";
 const char* const compare_usage = "Usage: raytrace compare [OPTION...] A B\nThe difference of two pictures; A is the reference.";
 const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
@@ -93,8 +94,8 @@ constexpr const char* output_topic =
 --file-gamma G      encode with 1/G instead of sRGB; 1 is linear
 --dither on, --output-alpha on
 
-A picture appears whole or not at all. Ctrl-C finishes the tiles in hand and
-leaves NAME.partial.png; a second Ctrl-C ends the program at once.
+A picture appears whole or not at all. Ctrl-C (SIGTERM, SIGHUP) finishes the
+tiles in hand and leaves NAME.partial.png; a second one ends it all at once.
 )";
 
 constexpr const char* course_topic =

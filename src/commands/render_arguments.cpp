@@ -43,7 +43,6 @@ void define_picture(CommandLine& line, Draft& d) {
         job.output.name = v;
         job.output.povray_rules = true;
     });
-    line.value("--input", "FILE", "", [&](const std::string& v) { d.input = v; });
     line.value("--format", "TYPE", "png, exr, hdr, tiff, jpeg, ppm, tga or bmp",
                [&](const std::string& v) { job.output.format = value_of_name(format_names, "picture format", v); });
     line.value("--povray-type", "TYPE", "", [&](const std::string& v) { job.output.format = povray_file_type(v, job.bits); });
@@ -143,10 +142,10 @@ void define_scene(CommandLine& line, Draft& d) {
     line.value("--initial-frame", "N", "", [&](const std::string& v) { d.initial_frame = whole_number("first frame", v, 0, 1 << 30); });
     line.value("--final-frame", "N", "", [&](const std::string& v) { d.final_frame = whole_number("last frame", v, 0, 1 << 30); });
     line.value("--subset-frame", "N", "", [&](const std::string&) { d.subset_frames = true; });
-    line.flag("--lenient", "what is not modelled is a warning, not an error", [&] { job.parse.lenient = true; });
 }
 
 void define_run(CommandLine& line, RenderJob& job) {
+    line.flag("--lenient", "what is not modelled is a warning, not an error", [&] { job.parse.lenient = true; });
     line.value("-t,--threads", "N", "worker threads; 0 is one per core",
                [&](const std::string& v) { job.threads = whole_number("threads", v, 0, 4096); });
     line.flag("-q,--quiet", "no warnings, notes or progress", [&] { job.quiet = true; });
@@ -159,16 +158,20 @@ void define_run(CommandLine& line, RenderJob& job) {
     });
 }
 
+/// As POV-Ray does it, a name without ending gets its own.
+std::string scene_path(const std::string& name) {
+    if (name.empty()) throw OptionError("the scene's name is empty");
+    std::error_code ignored;
+    const bool bare = std::filesystem::path(name).extension().empty();
+    return bare && !std::filesystem::exists(name, ignored) ? name + ".pov" : name;
+}
+
 void choose_scene(Draft& d, const std::vector<std::string>& others) {
     std::vector<std::string> scenes = others;
     if (!d.input.empty()) scenes.push_back(d.input);
     if (scenes.empty()) throw OptionError("no scene given; see raytrace --help");
     if (scenes.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' or '{}'?", scenes[0], scenes[1]));
-    if (scenes[0].empty()) throw OptionError("the scene's name is empty");
-    d.job.scene = scenes[0];
-    std::error_code ignored;
-    const bool bare = std::filesystem::path(d.job.scene).extension().empty();
-    if (bare && !std::filesystem::exists(d.job.scene, ignored)) d.job.scene += ".pov";
+    d.job.scene = scene_path(scenes[0]);
 }
 
 void choose_sampling(Draft& d) {
@@ -203,18 +206,63 @@ void choose_region(Draft& d) {
     d.job.region = r;
 }
 
+void define_render(CommandLine& line, Draft& d) {
+    line.value("--input", "FILE", "", [&](const std::string& v) { d.input = v; });
+    define_picture(line, d);
+    define_sampling(line, d);
+    define_shading(line, d.job);
+    define_scene(line, d);
+    define_run(line, d.job);
+}
+
+Translation translate(const std::vector<std::string>& words, const CommandLine& line) {
+    return translate_povray_syntax(words, [&](const std::string& word) { return line.takes_value(word); });
+}
+
 }  // namespace
+
+bool render_option_takes_value(const std::string& word) {
+    Draft draft;
+    CommandLine line(render_usage, render_footer);
+    define_render(line, draft);
+    return line.takes_value(word);
+}
+
+std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std::string>& words, std::string& help) {
+    Draft draft;
+    RequiresArguments arguments;
+    CommandLine line(requires_usage, requires_footer);
+    line.flag("--json", "one JSON array instead of text", [&] { arguments.json = true; });
+    define_scene(line, draft);
+    line.hide_from_help();  // of a picture that is not rendered
+    define_picture(line, draft);
+    define_sampling(line, draft);
+    define_shading(line, draft.job);
+    define_run(line, draft.job);
+    line.values("--input", "FILE", "", [&](const std::string& v) { arguments.scenes.push_back(scene_path(v)); });
+
+    const std::vector<std::string> others = line.parse(translate(words, line).words);
+    if (line.help_asked()) {
+        help = line.help();
+        return std::nullopt;
+    }
+    for (const std::string& name : others) arguments.scenes.push_back(scene_path(name));
+    refuse_animation(draft);
+    if (arguments.scenes.empty()) throw OptionError("requires: no scene given; see raytrace requires --help");
+    arguments.parse = std::move(draft.job.parse);
+    arguments.parse.image_width = draft.job.width;
+    arguments.parse.image_height = draft.job.height;
+    if (draft.job.profile == Profile::csc473) arguments.parse.rotation = Rotation::csc473;
+    arguments.parse.collect_unmodelled = true;
+    return arguments;
+}
 
 std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& words, std::string& help) {
     Draft draft;
     CommandLine line(render_usage, render_footer);
-    define_picture(line, draft);
-    define_sampling(line, draft);
-    define_shading(line, draft.job);
-    define_scene(line, draft);
-    define_run(line, draft.job);
+    define_render(line, draft);
 
-    const Translation translation = translate_povray_syntax(words, [&](const std::string& word) { return line.takes_value(word); });
+    const Translation translation = translate(words, line);
     const std::vector<std::string> others = line.parse(translation.words);
     if (line.help_asked()) {
         help = line.help();

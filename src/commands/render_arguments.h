@@ -13,4 +13,16 @@ namespace rt {
 /// one option the last wins. Throws OptionError.
 std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& words, std::string& help);
 
+/// Is `word` an option of a render whose value is the next word?
+bool render_option_takes_value(const std::string& word);
+
+struct RequiresArguments {
+    std::vector<std::string> scenes;
+    ParseOptions parse;
+    bool json = false;
+};
+
+/// The same for `raytrace requires`: everything that a render understands, and any number of scenes.
+std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std::string>& words, std::string& help);
+
 }  // namespace rt

@@ -4,13 +4,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "commands/command_line.h"
 #include "commands/commands.h"
-#include "commands/help.h"
+#include "commands/render_arguments.h"
 #include "commands/requirements.h"
 #include "commands/session.h"
 #include "commands/text.h"
-#include "commands/values.h"
 #include "syntax/parser.h"
 
 namespace rt {
@@ -60,28 +58,19 @@ nlohmann::ordered_json json_of(const std::string& scene, const Requirements& nee
 }  // namespace
 
 int run_requires(const Words& words) {
-    bool as_json = false;
-    ParseOptions options;
-    options.collect_unmodelled = true;
-    CommandLine line(requires_usage, requires_footer);
-    line.flag("--json", "one JSON array instead of text", [&] { as_json = true; });
-    line.values("-L,--library", "DIR", "search includes there too", [&](const std::string& v) { options.library_paths.push_back(v); });
-    line.values("--define", "NAME=VALUE", "declare a number or a string for the scene", [&](const std::string& v) {
-        const std::size_t equals = v.find('=');
-        if (equals == 0 || equals == std::string::npos) throw OptionError(fmt::format("define: expected NAME=VALUE, not '{}'", v));
-        options.declares.emplace_back(v.substr(0, equals), v.substr(equals + 1));
-    });
-    const Words scenes = line.parse(words);
-    if (line.help_asked()) {
-        write_stdout(line.help());
+    std::string help;
+    std::optional<RequiresArguments> arguments = parse_requires_arguments(words, help);
+    if (!arguments) {
+        write_stdout(help);
         return 0;
     }
-    if (scenes.empty()) throw OptionError("requires: no scene given; see raytrace requires --help");
+    ParseOptions& options = arguments->parse;
+    const bool as_json = arguments->json;
     for (std::string& path : default_library_paths()) options.library_paths.push_back(std::move(path));
 
     int status = 0;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const std::string& scene : scenes) {
+    for (const std::string& scene : arguments->scenes) {
         try {
             const Requirements needs = requirements_of(parse_file(scene, options, message_sink(true)));
             if (as_json)
