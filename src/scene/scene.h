@@ -125,6 +125,13 @@ struct Object {
     bool hollow = false;
     Span span;
     bool operator==(const Object&) const = default;
+
+    Object() = default;
+    Object(const Object&) = default;
+    Object& operator=(const Object&) = default;
+    // The vectors inside do not promise it, and a list that grows would copy.
+    Object(Object&&) noexcept = default;
+    Object& operator=(Object&&) noexcept = default;
 };
 
 /// Vectors as stated; `direction`, `right` and `up` are not yet combined with `angle` and `look_at` (that depends on the profile).

@@ -1,4 +1,6 @@
 // The statements of a file, and what is decided when it ends.
+#include <algorithm>
+
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
 #include "syntax/texture_layers.h"
@@ -20,11 +22,23 @@ void count_texture(Reader& reader, const Span& place, const TextureLayers& layer
     if (reader.is_first_use(layers)) reader.count_scene_nodes(place, tree_size(*layers).nodes - 1);
 }
 
+/// Makes room for as many objects as the rest of the file would hold at the rate so far: what moves when the list grows has to be paid
+/// for in pages, which cost as much as reading.
+void make_room(Reader& reader) {
+    Scene& scene = reader.scene();
+    const std::size_t size = scene.objects.size();
+    const Span last = reader.last_place();
+    if (size < 1024 || size < scene.objects.capacity() || last.file == Span::none) return;
+    const std::size_t expected = size * (scene.sources.file(last.file).text.size() / std::max<std::size_t>(last.end, 1) + 1);
+    scene.objects.reserve(std::clamp(expected, 2 * size, 8 * size));
+}
+
 void place_objects(Reader& reader, ObjectValue value) {
     for (Object& object : value.objects) {
         if (!object.texture) object.texture = reader.default_texture();
         count_texture(reader, object.span, *object.texture);
         if (object.interior_texture) count_texture(reader, object.span, *object.interior_texture);
+        make_room(reader);
         reader.scene().objects.push_back(std::move(object));
     }
 }

@@ -146,5 +146,13 @@ TEST(Transforms, ReadTheRotationOfTheProfile) {
     EXPECT_NEAR(length(theirs - Vec3(0, 1, 0)), 0.0, 1e-15);
 }
 
+TEST(Objects, ManyKeepTheirOrder) {
+    std::string text;
+    for (int i = 0; i < 5000; ++i) text += "sphere { " + std::to_string(i) + ", 1 }\n";
+    const ParsedScene parsed = parse_block(text);
+    ASSERT_EQ(parsed.scene.objects.size(), 5000u) << parsed.error;
+    for (int i = 0; i < 5000; ++i) EXPECT_EQ(std::get<Sphere>(parsed.scene.objects[i].shape).center, Vec3(i));
+}
+
 }  // namespace
 }  // namespace rt
