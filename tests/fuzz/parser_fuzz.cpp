@@ -21,6 +21,9 @@ rt::ParseOptions options_from(std::uint8_t choice) {
     options.max_include_depth = 8;
     options.max_includes = 64;
     options.max_nesting = 50;
+    options.max_texture_nodes = 64;
+    options.max_texture_depth = 8;
+    options.max_scene_nodes = 256;
     options.max_file_bytes = std::size_t{1} << 20;
     options.declares = {{"Width", "3"}, {"Label", "text"}};
     options.lenient = (choice & 1) != 0;
