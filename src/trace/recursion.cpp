@@ -1,5 +1,7 @@
 #include "trace/recursion.h"
 
+#include <array>
+
 #include "shading/optics.h"
 #include "shading/povray_finish.h"
 
@@ -43,14 +45,32 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {}
 
 Radiance Recursion::camera_ray(const Ray& ray, RayLog* log) {
-    ++counts.camera;
     log_ = log;
+    Radiance result;
+    start(ray, nullptr, result);
+    if (log_ != nullptr) total(*log_);
+    return result;
+}
+
+void Recursion::camera_rays(std::span<const Ray> rays, std::span<Radiance> light) {
+    log_ = nullptr;
+    std::array<Hit, packet_size> hits;
+    for (std::size_t first = 0; first < rays.size(); first += packet_size) {
+        const std::span<const Ray> packet = rays.subspan(first, std::min(packet_size, rays.size() - first));
+        const std::uint32_t found = world_.nearest(packet, rules_.traced(), RayKind::image, hits);
+        for (std::size_t i = 0; i < packet.size(); ++i) {
+            const FirstHit known{(found >> i & 1u) != 0 ? &hits[i] : nullptr};
+            start(packet[i], &known, light[first + i]);
+        }
+    }
+}
+
+void Recursion::start(const Ray& ray, const FirstHit* first, Radiance& result) {
+    ++counts.camera;
     interiors_.assign(world_.camera_interiors.begin(), world_.camera_interiors.end());
     const Path path{.ray = ray};
-    Radiance result = trace(path, 0, start_node(RayNode::none, RayNode::Kind::camera, path, Rgb(1.0), 1.0));
-    if (log_ != nullptr) total(*log_);
+    trace(path, 0, start_node(RayNode::none, RayNode::Kind::camera, path, Rgb(1.0), 1.0), first, result);
     result.rgb = {overflowed(result.rgb.r), overflowed(result.rgb.g), overflowed(result.rgb.b)};
-    return result;
 }
 
 /// A new record; nothing without a log.
@@ -71,39 +91,44 @@ std::uint32_t Recursion::start_node(std::uint32_t parent, RayNode::Kind kind, co
 RayNode* Recursion::node(std::uint32_t index) { return log_ == nullptr ? nullptr : &log_->nodes[index]; }
 
 /// Follows the path to its end. Its interiors are those from `first_interior` on.
-Radiance Recursion::trace(Path path, std::size_t first_interior, std::uint32_t first_node) {
+void Recursion::trace(Path path, std::size_t first_interior, std::uint32_t first_node, const FirstHit* first, Radiance& result) {
     const std::size_t caller = first_interior_;
     first_interior_ = first_interior;
-    Radiance result;
+    result = {};
     std::uint32_t at_node = first_node;
-    for (int i = 0; i < most_crossings && step(path, result, at_node); ++i) {
+    for (int i = 0; i < most_crossings && step(path, result, at_node, i == 0 ? first : nullptr); ++i) {
     }
     first_interior_ = caller;
-    return result;
 }
 
 /// Goes to the next surface and adds what is found there; true if the path goes on behind it.
-bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node) {
+bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const FirstHit* known) {
     if (path.level >= max_level_ || !(path.weight >= adc_bailout_)) {
         if (RayNode* record = node(at_node)) record->end = path.level >= max_level_ ? RayNode::End::level : RayNode::End::weight;
         return false;
     }
     if (!path.straight) ++path.level;
-    Hit hit;
-    if (!world_.nearest(path.ray, rules_.traced(), path.kind, hit)) {
+    Hit searched;
+    const Hit* found = known != nullptr ? known->hit : world_.nearest(path.ray, rules_.traced(), path.kind, searched) ? &searched : nullptr;
+    if (found == nullptr) {
         result.rgb += path.filter * world_.background;
         result.transmittance = path.transmittance * world_.background_transmit;
         if (RayNode* record = node(at_node)) record->end = RayNode::End::background, record->background = world_.background;
         return false;
     }
-    Surface surface{.at = surface_point(path.ray, hit), .object = &world_.objects[hit.object], .node = at_node};
-    const Material& material = world_.materials[surface.object->material];
-    surface.crossing.interior = surface.object->interior;
-    if (material.can_transmit || material.can_reflect) surface.crossing = meet(world_, inside(), surface.object->interior);
-    surface.first_layer = layers_.size();
-    surface.first_mirror = mirrors_.size();
+    const CompiledObject& object = world_.objects[found->object];
+    const Material& material = world_.materials[object.material];
+    Surface surface{.at = surface_point(path.ray, *found),
+                    .object = &object,
+                    .first_layer = layers_.size(),
+                    .first_mirror = mirrors_.size(),
+                    .filter = Rgb(1.0),
+                    .trans = 1.0,
+                    .crossing = {.interior = object.interior},
+                    .node = at_node};
+    if (material.can_transmit || material.can_reflect) surface.crossing = meet(world_, inside(), object.interior);
     resolve_layers(surface, path.weight);
-    if (RayNode* record = node(at_node)) log_surface(*record, surface, hit);
+    if (RayNode* record = node(at_node)) log_surface(*record, surface, *found);
 
     result.rgb += path.filter * local_light(surface);
     const bool goes_on = pass(surface, path, result, at_node);
@@ -210,7 +235,8 @@ void Recursion::reflect_layers(const Surface& surface, const Path& path, Radianc
         const std::uint32_t child = start_node(surface.node, RayNode::Kind::reflected, mirrored, mirror.reflectivity, mirror.exponent);
         const std::size_t end = interiors_.size();
         for (std::size_t k = first_interior_; k < end; ++k) interiors_.push_back(interiors_[k]);
-        const Radiance light = trace(mirrored, end, child);
+        Radiance light;
+        trace(mirrored, end, child, nullptr, light);
         interiors_.resize(end);
         result.rgb += path.filter * mirror.reflectivity * reflected_light(light.rgb, mirror.exponent);
     }

@@ -23,6 +23,8 @@ public:
     Recursion(const World& world, const TraceOptions& options);
 
     Radiance camera_ray(const Ray& ray, RayLog* log);
+    /// The same light for each, one by one or together.
+    void camera_rays(std::span<const Ray> rays, std::span<Radiance> light);
 
     RayCounts counts;
     std::uint64_t shadow_rays() const { return lighting_.shadow_rays(); }
@@ -45,8 +47,13 @@ private:
         std::uint32_t node = RayNode::none;
     };
 
-    Radiance trace(Path path, std::size_t first_interior, std::uint32_t first_node);
-    bool step(Path& path, Radiance& result, std::uint32_t& at_node);
+    /// The first surface on a path, where it was searched for beforehand.
+    struct FirstHit {
+        const Hit* hit;  ///< null: there is none
+    };
+    void start(const Ray& ray, const FirstHit* first, Radiance& result);
+    void trace(Path path, std::size_t first_interior, std::uint32_t first_node, const FirstHit* first, Radiance& result);
+    bool step(Path& path, Radiance& result, std::uint32_t& at_node, const FirstHit* known);
     SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
     void resolve_layers(Surface& surface, double weight);
     Rgb local_light(const Surface& surface);

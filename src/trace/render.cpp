@@ -203,6 +203,8 @@ struct Worker {
     std::unique_ptr<Tracer> tracer;
     SamplingTask task;
     std::vector<Pixel> pixels;
+    std::vector<Ray> rays;
+    std::vector<Radiance> light;
     std::uint64_t non_finite = 0;
     bool complete = true;
 };
@@ -215,10 +217,17 @@ Comparison comparison_of(const RenderOptions& options) {
 void prepare(Worker& worker, const World& world, const RenderOptions& options) {
     worker.tracer = std::make_unique<Tracer>(world, options.trace);
     worker.task = {options.sampling, comparison_of(options), options.stop, {}};
-    worker.task.sample = [&world, &options, tracer = worker.tracer.get()](double x, double y, int scale) {
-        const Radiance light = tracer->camera_ray(camera_ray(world.camera, x, y, options.width * scale, options.height * scale));
-        return Pixel{static_cast<float>(light.rgb.r), static_cast<float>(light.rgb.g), static_cast<float>(light.rgb.b),
-                     options.alpha ? static_cast<float>(light.transmittance) : 0.0f};
+    worker.task.samples = [&world, &options, &worker](std::span<const Vec2> points, int scale, std::span<Pixel> pixels) {
+        worker.rays.resize(points.size());
+        worker.light.resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            worker.rays[i] = camera_ray(world.camera, points[i].x, points[i].y, options.width * scale, options.height * scale);
+        worker.tracer->camera_rays(worker.rays, worker.light);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Radiance& light = worker.light[i];
+            pixels[i] = {static_cast<float>(light.rgb.r), static_cast<float>(light.rgb.g), static_cast<float>(light.rgb.b),
+                         options.alpha ? static_cast<float>(light.transmittance) : 0.0f};
+        }
     };
 }
 

@@ -19,27 +19,31 @@ double distance(const Contrast& a, const Contrast& b) {
 }
 
 int sample_centres(const SamplingTask& task, const Region& tile, std::vector<Pixel>& pixels) {
-    std::size_t next = 0;
+    std::vector<Vec2> row(static_cast<std::size_t>(tile.width()));
     for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            if (task.stopped()) return y - tile.y0;
-            pixels[next++] = task.sample(x + 0.5, y + 0.5, 1);
-        }
+        if (task.stopped()) return y - tile.y0;
+        for (std::size_t i = 0; i < row.size(); ++i) row[i] = {tile.x0 + static_cast<int>(i) + 0.5, y + 0.5};
+        task.samples(row, 1, std::span(pixels).subspan(static_cast<std::size_t>(y - tile.y0) * row.size(), row.size()));
     }
     return tile.height();
 }
 
 int sample_grid(const SamplingTask& task, const Region& tile, std::vector<Pixel>& pixels) {
     const int n = task.sampling.depth;
+    const std::size_t count = static_cast<std::size_t>(n) * n;
+    std::vector<Vec2> points(count);
+    std::vector<Pixel> samples(count);
     std::size_t next = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             if (task.stopped()) return y - tile.y0;
-            PixelSum sum;
             for (int sub_y = 0; sub_y < n; ++sub_y) {
-                for (int sub_x = 0; sub_x < n; ++sub_x) sum.add(task.sample(x * n + sub_x + 0.5, y * n + sub_y + 0.5, n));
+                for (int sub_x = 0; sub_x < n; ++sub_x) points[sub_y * n + sub_x] = {x * n + sub_x + 0.5, y * n + sub_y + 0.5};
             }
-            pixels[next++] = sum.over(static_cast<double>(n) * n).pixel();
+            task.samples(points, n, samples);
+            PixelSum sum;
+            for (const Pixel& sample : samples) sum.add(sample);
+            pixels[next++] = sum.over(static_cast<double>(count)).pixel();
         }
     }
     return tile.height();

@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <functional>
+#include <span>
 #include <vector>
 
+#include "core/vec.h"
 #include "film/film.h"
 #include "trace/options.h"
 
@@ -17,9 +19,10 @@ struct Region {
     int height() const { return y1 - y0; }
 };
 
-/// The picture at a point, in pixels of a picture `scale` times as wide and high; pixel (i, j) of the picture itself has its centre at
-/// (i + 1/2, j + 1/2) with scale 1. Asked outside the picture, too. The same point gives the same pixel whenever it is asked.
-using Sample = std::function<Pixel(double x, double y, int scale)>;
+/// The picture at points (x, y), in pixels of a picture `scale` times as wide and high; pixel (i, j) of the picture itself has its centre
+/// at (i + 1/2, j + 1/2) with scale 1. Asked outside the picture, too. The same point gives the same pixel whenever and in whatever company
+/// it is asked for; neighbours asked for together are cheaper.
+using Samples = std::function<void(std::span<const Vec2> points, int scale, std::span<Pixel> pixels)>;
 
 /// What makes of a colour the number that anti-aliasing compares: linear light to the power of 1 / Antialias_Gamma.
 struct Comparison {
@@ -33,8 +36,14 @@ struct SamplingTask {
     Sampling sampling;
     Comparison comparison;
     const std::atomic<bool>* stop = nullptr;  ///< looked at before every pixel
-    Sample sample;
+    Samples samples;
 
+    Pixel sample(double x, double y) const {
+        const Vec2 point(x, y);
+        Pixel pixel;
+        samples({&point, 1}, 1, {&pixel, 1});
+        return pixel;
+    }
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 

@@ -39,7 +39,7 @@ private:
 
     Cell& trace(int x, int y) {
         Cell& c = cell(x, y);
-        set(c, task_.sample(x + 0.5, y + 0.5, 1));
+        set(c, task_.sample(x + 0.5, y + 0.5));
         return c;
     }
 
@@ -58,17 +58,23 @@ private:
         const double first = -(0.5 - 0.5 / n);
         PixelSum sum;
         sum.add(c.value);
+        points_.clear();
         double dy = first;
         for (int row = 0; row < n; ++row, dy += step) {
             double dx = first;
-            for (int column = 0; column < n; ++column, dx += step) sum.add(task_.sample((x + dx) + 0.5, (y + dy) + 0.5, 1));
+            for (int column = 0; column < n; ++column, dx += step) points_.push_back({(x + dx) + 0.5, (y + dy) + 0.5});
         }
+        samples_.resize(points_.size());
+        task_.samples(points_, 1, samples_);
+        for (const Pixel& sample : samples_) sum.add(sample);
         set(c, sum.over(static_cast<double>(n) * n + 1.0).pixel());
     }
 
     const SamplingTask& task_;
     Region tile_;
     std::vector<Cell> cells_;
+    std::vector<Vec2> points_;
+    std::vector<Pixel> samples_;
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ private:
         Node& n = node(column, row);
         if (n.pixel == number_) return n;
         n.pixel = number_;
-        n.value = task_.sample(x_ + static_cast<double>(column) / steps_, y_ + static_cast<double>(row) / steps_, 1);
+        n.value = task_.sample(x_ + static_cast<double>(column) / steps_, y_ + static_cast<double>(row) / steps_);
         n.contrast = Contrast(n.value, task_.comparison);
         return n;
     }

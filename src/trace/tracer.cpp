@@ -15,6 +15,8 @@ Tracer::~Tracer() = default;
 
 Radiance Tracer::camera_ray(const Ray& ray) { return state_->recursion.camera_ray(ray, nullptr); }
 
+void Tracer::camera_rays(std::span<const Ray> rays, std::span<Radiance> light) { state_->recursion.camera_rays(rays, light); }
+
 Radiance Tracer::camera_ray(const Ray& ray, RayLog& log) {
     log.nodes.clear();
     return state_->recursion.camera_ray(ray, &log);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "trace/options.h"
@@ -35,6 +36,8 @@ public:
 
     /// `ray.direction` is unit. The same ray gives the same bits whatever was traced before. Never NaN; infinite where numbers overflow.
     Radiance camera_ray(const Ray& ray);
+    /// The same for each of several rays; the nearer they are to each other, the cheaper.
+    void camera_rays(std::span<const Ray> rays, std::span<Radiance> light);
     /// The same, and records what the ray met in `log` (emptied first).
     Radiance camera_ray(const Ray& ray, RayLog& log);
     const RayCounts& counts() const;

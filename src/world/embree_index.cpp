@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cfenv>
 #include <limits>
 #include <optional>
 
-#include "world/triangle_block.h"
+#include "world/traveller.h"
 
 namespace rt {
 
@@ -21,8 +21,6 @@ namespace {
 constexpr double box_padding = 1.5e-6;
 /// The box in which rays are clipped before they are rounded; its own test is in doubles.
 constexpr double scene_padding = 8e-6;
-/// Room above the distance that Embree may cull by.
-constexpr double far_slack = 4e-6;
 /// From farther away (in half sizes of the scene) doubles no longer say where in the padded box a ray enters.
 constexpr double far_origin = 1e7;
 
@@ -54,38 +52,10 @@ private:
     std::fenv_t environment_;
 };
 
-/// What the callbacks read besides the ray.
-struct IndexData {
-    IndexData(const Surfaces& s, const Bounds& box) : surfaces(s), frame(box) {}
-    const Surfaces& surfaces;
-    std::vector<IndexedSphere> spheres;  ///< objects that are spheres in world space
-    std::vector<std::uint32_t> bodies;   ///< the other objects that are not made of triangles
-    std::vector<std::uint32_t> faces;    ///< all triangles
-    std::vector<TriangleBlock> blocks;   ///< the same in blocks, if they are tested in doubles
-    LocalFrame frame;
-};
-
-/// What the callbacks of one ray share. Embree hands the context through unchanged; the ray it may copy.
+/// Embree hands the context through unchanged; rays it may copy and reorder, but for their numbers.
 struct Context : RTCIntersectContext {
-    Context(const LocalFrame& frame, Query& q, double start)
-        : query(q), t_start(start), inverse_scale(frame.inverse_scale), origin(frame.to_local(q.ray.at(start))) {
-        rtcInitIntersectContext(this);
-    }
-    /// The local distance beyond which nothing can be the nearest hit, rounded up.
-    float far(double t) const { return static_cast<float>((t - t_start) * inverse_scale * (1.0 + 1e-6) + far_slack); }
-    /// Made when the first block is met: most rays of most scenes meet none.
-    const BlockRay& block_ray() {
-        if (!block_ray_) block_ray_.emplace(origin, query.sheared());
-        return *block_ray_;
-    }
-
-    Query& query;
-    double t_start;  ///< where the ray enters the scene's box
-    double inverse_scale;
-    Vec3 origin;  ///< local, at t_start
-
-private:
-    std::optional<BlockRay> block_ray_;
+    explicit Context(Traveller* const* first) : travellers(first) { rtcInitIntersectContext(this); }
+    Traveller* const* travellers;  ///< by ray number
 };
 
 template <typename Arguments>
@@ -93,45 +63,28 @@ const IndexData& data_of(const Arguments* args) {
     return *static_cast<const IndexData*>(args->geometryUserPtr);
 }
 
-bool test_sphere(const IndexData& data, Context& context, unsigned index, float, bool) { return data.spheres[index].test(context.query); }
-
-bool test_body(const IndexData& data, Context& context, unsigned index, float, bool) {
-    return data.surfaces.test(data.bodies[index], context.query);
-}
-
-/// Tests the triangles of some lanes in doubles until one is met, or all of them. Kept out of the callbacks: most blocks are dropped there,
-/// and they should not pay for the registers that this needs.
-[[gnu::noinline]] bool test_lanes(const IndexData& data, const TriangleBlock& block, std::uint32_t lanes, Query& query, bool any) {
-    bool met = false;
-    for (; lanes != 0 && !(met && any); lanes &= lanes - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-        if (block.seen[lane] & query.seen) met |= data.surfaces.test_face(block.face[lane], query);
-    }
-    return met;
-}
-
-bool test_block(const IndexData& data, Context& context, unsigned index, float far, bool any) {
-    const TriangleBlock& block = data.blocks[index];
-    const std::uint32_t lanes = lanes_met(block, context.block_ray(), far);
-    return lanes != 0 && test_lanes(data, block, lanes, context.query, any);
+/// Calls `f` with the traveller and the far end of every ray of a callback's packet.
+template <typename F>
+void for_each_ray(const int* valid, unsigned count, RTCRayN* rays, const RTCIntersectContext* context, F f) {
+    Traveller* const* travellers = static_cast<const Context*>(context)->travellers;
+    for (unsigned i = 0; i < count; ++i)
+        if (valid[i]) f(*travellers[RTCRayN_id(rays, count, i)], RTCRayN_tfar(rays, count, i));
 }
 
 /// The callback for nearest hits, from one of the tests above: offers what it meets to the query, and lets Embree cull by a better hit.
 template <auto test>
 void on_intersect(const RTCIntersectFunctionNArguments* args) {
-    if (!*args->valid) return;
-    Context& context = *static_cast<Context*>(args->context);
-    float& far = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar;
-    if (test(data_of(args), context, args->primID, far, false)) far = std::min(far, context.far(context.query.best.shape.t));
+    for_each_ray(args->valid, args->N, RTCRayHitN_RayN(args->rayhit, args->N), args->context, [&](Traveller& ray, float& far) {
+        if (test(data_of(args), ray, args->primID, far, false)) far = std::min(far, ray.far(ray.query.best.shape.t));
+    });
 }
 
 /// The same for occlusion; the infinity says yes.
 template <auto test>
 void on_occluded(const RTCOccludedFunctionNArguments* args) {
-    if (!*args->valid) return;
-    Context& context = *static_cast<Context*>(args->context);
-    float& far = reinterpret_cast<RTCRay*>(args->ray)->tfar;
-    if (test(data_of(args), context, args->primID, far, true)) far = -std::numeric_limits<float>::infinity();
+    for_each_ray(args->valid, args->N, args->ray, args->context, [&](Traveller& ray, float& far) {
+        if (test(data_of(args), ray, args->primID, far, true)) far = -std::numeric_limits<float>::infinity();
+    });
 }
 
 void set_bounds(const RTCBoundsFunctionArguments* args, const Vec3& low, const Vec3& high) {
@@ -170,12 +123,13 @@ void bounds_of_block(const RTCBoundsFunctionArguments* args) {
     set_bounds(args, low, high);
 }
 
-/// Filter of Embree's own triangles, for nearest hits and for occlusion.
+/// Filter of Embree's own triangles, for nearest hits and for occlusion. Their rays come one at a time.
 void filter_triangle(const RTCFilterFunctionNArguments* args) {
     if (!*args->valid) return;
     const IndexData& data = data_of(args);
     const unsigned triangle = reinterpret_cast<const RTCHit*>(args->hit)->primID;
-    if (!data.surfaces.offer_plane(data.faces[triangle], static_cast<Context*>(args->context)->query)) *args->valid = 0;
+    Query& query = (*static_cast<const Context*>(args->context)->travellers)->query;
+    if (!data.surfaces.offer_plane(data.faces[triangle], query)) *args->valid = 0;
 }
 
 Bounds bounds_of_all(const Surfaces& surfaces, const std::vector<std::uint32_t>& objects) {
@@ -211,19 +165,28 @@ void collect(const GroupNode& node, const IndexData& data, std::vector<TriangleB
         if (child) collect(*child, data, out);
 }
 
-void set_ray(RTCRay& ray, const Context& context, const Query& query, double t_end) {
-    ray.org_x = static_cast<float>(context.origin.x);
-    ray.org_y = static_cast<float>(context.origin.y);
-    ray.org_z = static_cast<float>(context.origin.z);
-    ray.dir_x = static_cast<float>(query.ray.direction.x);
-    ray.dir_y = static_cast<float>(query.ray.direction.y);
-    ray.dir_z = static_cast<float>(query.ray.direction.z);
-    ray.tnear = 0.0f;
-    ray.tfar = context.far(t_end);
-    ray.time = 0.0f;
-    ray.mask = ~0u;
-    ray.id = 0;
-    ray.flags = 0;
+/// Sets ray number i of a packet of Embree's, which may be of one; `end` bounds the distance at which hits count.
+template <typename Rays>
+void set_ray(Rays& rays, unsigned count, unsigned i, const Traveller& traveller, double end) {
+    auto* ray = reinterpret_cast<RTCRayN*>(&rays);
+    const Vec3& direction = traveller.query.ray.direction;
+    RTCRayN_org_x(ray, count, i) = static_cast<float>(traveller.origin.x);
+    RTCRayN_org_y(ray, count, i) = static_cast<float>(traveller.origin.y);
+    RTCRayN_org_z(ray, count, i) = static_cast<float>(traveller.origin.z);
+    RTCRayN_dir_x(ray, count, i) = static_cast<float>(direction.x);
+    RTCRayN_dir_y(ray, count, i) = static_cast<float>(direction.y);
+    RTCRayN_dir_z(ray, count, i) = static_cast<float>(direction.z);
+    RTCRayN_tnear(ray, count, i) = 0.0f;
+    RTCRayN_tfar(ray, count, i) = traveller.far(end);
+    RTCRayN_time(ray, count, i) = 0.0f;
+    RTCRayN_mask(ray, count, i) = ~0u;
+    RTCRayN_id(ray, count, i) = i;
+    RTCRayN_flags(ray, count, i) = 0;
+}
+
+/// Where the best hit so far, if any, ends the search.
+double search_end(const Query& query, const Interval& inside) {
+    return query.found ? std::min(inside.max, query.best.shape.t) : inside.max;
 }
 
 }  // namespace
@@ -374,19 +337,40 @@ void EmbreeIndex::nearest(Query& query, Entry entry, const Interval& inside) con
         state_->test_all(query, false);
         return;
     }
-    Context context(state_->data.frame, query, inside.min);
+    Traveller traveller(state_->data.frame, query, inside.min);
+    Traveller* const only = &traveller;
+    Context context(&only);
     RTCRayHit ray;
-    set_ray(ray.ray, context, query, query.found ? std::min(inside.max, query.best.shape.t) : inside.max);
+    set_ray(ray.ray, 1, 0, traveller, search_end(query, inside));
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(state_->scene.get(), &context, &ray);
 }
 
+void EmbreeIndex::nearest(std::span<Query* const> queries, std::span<const Interval> inside) const {
+    std::array<std::optional<Traveller>, packet_size> travellers;
+    std::array<Traveller*, packet_size> first{};
+    alignas(32) std::array<int, packet_size> valid{};
+    alignas(32) RTCRayHit8 rays;
+    static_assert(packet_size == 8);
+    for (unsigned i = 0; i < queries.size(); ++i) {
+        valid[i] = -1;
+        first[i] = &travellers[i].emplace(state_->data.frame, *queries[i], inside[i].min);
+        set_ray(rays.ray, packet_size, i, *first[i], search_end(*queries[i], inside[i]));
+        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    Context context(first.data());
+    rtcIntersect8(valid.data(), state_->scene.get(), &context, &rays);
+}
+
 bool EmbreeIndex::occluded(Query& query, Entry entry, const Interval& inside) const {
     if (entry == Entry::far) return state_->test_all(query, true);
-    Context context(state_->data.frame, query, inside.min);
+    Traveller traveller(state_->data.frame, query, inside.min);
+    Traveller* const only = &traveller;
+    Context context(&only);
     RTCRay ray;
-    set_ray(ray, context, query, inside.max);
+    set_ray(ray, 1, 0, traveller, inside.max);
     rtcOccluded1(state_->scene.get(), &context, &ray);
     return ray.tfar < 0.0f;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "world/compile.h"
@@ -25,6 +26,8 @@ public:
     /// Offers every hit that may be the nearest to the query, which may come with a best hit found elsewhere. `entry` and `inside` are what
     /// `enter` made of the query's ray and range.
     void nearest(Query& query, Entry entry, const Interval& inside) const;
+    /// The same for up to `packet_size` rays that enter the box and go much the same way.
+    void nearest(std::span<Query* const> queries, std::span<const Interval> inside) const;
     /// Whether any surface that the query sees is met inside its range.
     bool occluded(Query& query, Entry entry, const Interval& inside) const;
 

@@ -1,6 +1,8 @@
 #include "world/surface_index.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "world/embree_index.h"
 
@@ -119,6 +121,35 @@ bool SurfaceIndex::nearest(const Ray& ray, const Interval& range, RayKind kind, 
     if (entry != EmbreeIndex::Entry::none) embree_->nearest(query, entry, inside);
     if (query.found) hit = query.best;
     return query.found;
+}
+
+std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& range, RayKind kind, std::span<Hit> hits) const {
+    std::uint32_t found = 0;
+    if (!embree_ || !exact_) {
+        for (std::size_t i = 0; i < rays.size(); ++i) found |= std::uint32_t{nearest(rays[i], range, kind, hits[i])} << i;
+        return found;
+    }
+    std::array<std::optional<Query>, packet_size> queries;
+    std::array<Query*, packet_size> entering;
+    std::array<Interval, packet_size> inside;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!is_ray(rays[i])) continue;
+        inside[count] = range;
+        const auto entry = embree_->enter(rays[i], inside[count]);
+        if (entry == EmbreeIndex::Entry::none && listed_.empty()) continue;
+        Query& query = queries[i].emplace(rays[i], range, bit(kind));
+        for (const std::uint32_t object : listed_) surfaces_.test(object, query);
+        if (entry == EmbreeIndex::Entry::far) embree_->nearest(query, entry, inside[count]);
+        if (entry == EmbreeIndex::Entry::inside) entering[count++] = &query;
+    }
+    if (count > 0) embree_->nearest(std::span(entering).first(count), inside);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!queries[i] || !queries[i]->found) continue;
+        hits[i] = queries[i]->best;
+        found |= 1u << i;
+    }
+    return found;
 }
 
 bool SurfaceIndex::occluded(const Ray& ray, const Interval& range, Blocker& last) const {

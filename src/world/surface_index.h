@@ -17,6 +17,7 @@ public:
     ~SurfaceIndex();
 
     bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
+    std::uint32_t nearest(std::span<const Ray> rays, const Interval& range, RayKind kind, std::span<Hit> hits) const;
     bool occluded(const Ray& ray, const Interval& range, Blocker& last) const;
     Vec3 normal(const Hit& hit, const Vec3& point) const { return surfaces_.normal(hit, point); }
     const Surfaces& surfaces() const { return surfaces_; }

@@ -13,6 +13,10 @@ bool World::nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hi
     return surfaces && surfaces->nearest(ray, range, kind, hit);
 }
 
+std::uint32_t World::nearest(std::span<const Ray> rays, const Interval& range, RayKind kind, std::span<Hit> hits) const {
+    return surfaces ? surfaces->nearest(rays, range, kind, hits) : 0;
+}
+
 bool World::occluded(const Ray& ray, const Interval& range, Blocker& last) const {
     return surfaces && surfaces->occluded(ray, range, last);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/hit.h"
@@ -59,6 +60,9 @@ struct Features {
 
 class SurfaceIndex;
 
+/// Rays that are searched for together.
+inline constexpr std::size_t packet_size = 8;
+
 class World {
 public:
     World();
@@ -69,6 +73,9 @@ public:
     /// Nearest hit with t inside `range` among the objects that `kind` sees; ties go to the object first in the file (and in it to the
     /// face first stated). `ray.direction` is unit. Thread-safe.
     bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
+    /// The same for rays that start near each other and go much the same way, like those of neighbouring pixels: cheaper than one by one.
+    /// At most `packet_size` of them; bit i of the answer says whether ray i met something, and hits[i] what.
+    std::uint32_t nearest(std::span<const Ray> rays, const Interval& range, RayKind kind, std::span<Hit> hits) const;
     /// True if an object that casts shadows and can never transmit has a hit inside `range`. `last` may be what blocked another ray, and
     /// becomes what blocks this one; the answer does not depend on it. Thread-safe.
     bool occluded(const Ray& ray, const Interval& range, Blocker& last) const;

@@ -22,11 +22,18 @@ Pixel scenery(double x, double y) {
 
 constexpr int width = 61, height = 45;
 
+/// A picture that is a function of the point alone.
+Samples one_by_one(std::function<Pixel(double x, double y, int scale)> sample) {
+    return [sample](std::span<const Vec2> points, int scale, std::span<Pixel> pixels) {
+        for (std::size_t i = 0; i < points.size(); ++i) pixels[i] = sample(points[i].x, points[i].y, scale);
+    };
+}
+
 SamplingTask task_of(Sampling::Method method, int depth, double threshold, double gamma = 2.5, int block = 32) {
     SamplingTask task;
     task.sampling = {method, depth, threshold, gamma, block};
     task.comparison.exponent = 1.0 / gamma;
-    task.sample = [](double x, double y, int scale) { return scenery(x / scale, y / scale); };
+    task.samples = one_by_one([](double x, double y, int scale) { return scenery(x / scale, y / scale); });
     return task;
 }
 
@@ -160,10 +167,10 @@ TEST(Sampling, CentresAreTheFunction) {
 
 TEST(Sampling, GridIsTheMeanOfALargerPicture) {
     SamplingTask task = task_of(Sampling::Method::grid, 3, 0.3);
-    task.sample = [](double x, double y, int scale) {
+    task.samples = one_by_one([](double x, double y, int scale) {
         EXPECT_EQ(scale, 3);
         return Pixel{static_cast<float>(x), static_cast<float>(y), static_cast<float>(x * y), 0.0f};
-    };
+    });
     std::vector<Pixel> pixels;
     sample_tile(task, {4, 7, 6, 8}, pixels);
     // Sub-pixels 12..14 and 15..17 across, 21..23 down.
@@ -175,7 +182,7 @@ TEST(Sampling, GridIsTheMeanOfALargerPicture) {
 
 TEST(Sampling, GridCountsCoverage) {
     SamplingTask task = task_of(Sampling::Method::grid, 4, 0.3);
-    task.sample = [](double x, double, int scale) { return Pixel{x / scale < 10.3 ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f}; };
+    task.samples = one_by_one([](double x, double, int scale) { return Pixel{x / scale < 10.3 ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f}; });
     std::vector<Pixel> pixels;
     sample_tile(task, {9, 0, 12, 1}, pixels);
     EXPECT_EQ(pixels[0].r, 1.0f);
@@ -195,10 +202,10 @@ TEST(Sampling, SharedPointsAreTracedOnce) {
     for (const int depth : {1, 3, 5}) {
         SamplingTask task = task_of(Sampling::Method::povray2, depth, 0.0);
         std::map<std::pair<double, double>, int> asked;
-        task.sample = [&](double x, double y, int) {
+        task.samples = one_by_one([&](double x, double y, int) {
             ++asked[{x, y}];
             return scenery(x, y);
-        };
+        });
         std::vector<Pixel> pixels;
         sample_tile(task, {10, 10, 14, 13}, pixels);
         const std::size_t steps = std::size_t{1} << (depth - 1);
@@ -210,7 +217,7 @@ TEST(Sampling, SharedPointsAreTracedOnce) {
 TEST(Sampling, FlatPicturesAreNotSampledAgain) {
     SamplingTask task = task_of(Sampling::Method::povray1, 9, 0.3);
     int asked = 0;
-    task.sample = [&](double, double, int) { return ++asked, Pixel{0.5f, 0.5f, 0.5f, 0.0f}; };
+    task.samples = one_by_one([&](double, double, int) { return ++asked, Pixel{0.5f, 0.5f, 0.5f, 0.0f}; });
     std::vector<Pixel> pixels;
     sample_tile(task, {0, 0, 32, 32}, pixels);
     EXPECT_EQ(asked, 32 * 32 + 32 + 32);
@@ -233,12 +240,11 @@ TEST_P(Stopping, KeepsOnlyRowsThatAreFinal) {
     SamplingTask task = task_of(GetParam(), 2, 0.3);
     const Film whole = picture(task, 32);
     task.stop = &stop;
-    const Sample sample = task.sample;
     int asked = 0;
-    task.sample = [&](double x, double y, int scale) {
+    task.samples = one_by_one([&](double x, double y, int scale) {
         if (++asked == 700) stop = true;
-        return sample(x, y, scale);
-    };
+        return scenery(x / scale, y / scale);
+    });
     std::vector<Pixel> pixels;
     const int rows = sample_tile(task, {0, 0, 32, 32}, pixels);
     EXPECT_GT(rows, 1);

@@ -40,6 +40,23 @@ TEST(RayLog, contributions_add_up_to_the_radiance_and_change_nothing) {
     }
 }
 
+TEST(Tracer, many_rays_bring_what_each_brings) {
+    Traced t(glass_over_checker());
+    std::vector<Ray> rays;
+    for (double x = -2; x < 2; x += 0.037) rays.push_back({{0, 2, -5}, unit(Vec3(x, 0.4 * x - 0.3, 5))});
+    std::vector<Radiance> light(rays.size());
+    t.tracer->camera_rays(rays, light);
+    EXPECT_EQ(t.tracer->counts().camera, rays.size());
+    int background = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Radiance alone = t.tracer->camera_ray(rays[i]);
+        EXPECT_EQ(light[i].rgb, alone.rgb) << i;
+        EXPECT_EQ(light[i].transmittance, alone.transmittance) << i;
+        background += alone.rgb == Rgb(0.2, 0.3, 0.4);
+    }
+    EXPECT_GT(background, 10);
+}
+
 TEST(RayLog, records_the_tree) {
     Traced t(glass_over_checker());
     RayLog log;

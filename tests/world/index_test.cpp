@@ -95,6 +95,45 @@ TEST_P(EveryScale, ExactIndexFindsWhatBruteForceFinds) {
     }
 }
 
+/// Up to eight rays that start and go much the same way, or, if `scattered`, do not.
+std::vector<Ray> random_packet(Random& random, const Scene& scene, double extent, bool scattered) {
+    std::vector<Ray> rays{random_ray(random, scene, extent)};
+    const double spread = random.log(1e-9, 0.1);
+    const auto count = static_cast<std::size_t>(1 + random.whole(static_cast<int>(packet_size)));
+    while (rays.size() < count) {
+        const Ray& first = rays.front();
+        rays.push_back(scattered
+                           ? random_ray(random, scene, extent)
+                           : Ray{first.origin + spread * random.in_cube(extent), unit(first.direction + spread * random.direction())});
+    }
+    return rays;
+}
+
+TEST_P(EveryScale, PacketsMeetWhatTheirRaysMeet) {
+    const double extent = GetParam();
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Random random(77 * seed + std::bit_cast<std::uint64_t>(extent) % 991);
+        const Scene scene = random_scene(random, seed < 3 ? 40 : 15, extent);
+        const World brute = compiled(scene, IndexKind::brute_force);
+        const World index = compiled(scene, IndexKind::embree, seed % 3 == 2 ? Precision::fast : Precision::exact);
+        const World& alone = seed % 3 == 2 ? index : brute;
+        for (int i = 0; i < 300 * effort(); ++i) {
+            const std::vector<Ray> rays = random_packet(random, scene, extent, i % 4 == 0);
+            const Interval range = random_range(random, extent);
+            std::array<Hit, packet_size> hits;
+            const std::uint32_t found = index.nearest(rays, range, RayKind::image, hits);
+            for (std::size_t k = 0; k < rays.size(); ++k) {
+                const Answer expected = ask(alone, rays[k], range, RayKind::image);
+                const bool met = (found >> k & 1u) != 0;
+                const Answer answer{met, met ? hits[k] : Hit{}};
+                ASSERT_EQ(answer, expected) << answer.text() << " instead of " << expected.text() << "\nray " << k << " of " << rays.size()
+                                            << ", " << describe(rays[k], range) << " seed " << seed;
+            }
+            EXPECT_EQ(found >> rays.size(), 0u);
+        }
+    }
+}
+
 /// How often and how far two worlds disagree.
 struct Disagreement {
     int rays = 0, other_object = 0;
