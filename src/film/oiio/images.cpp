@@ -91,6 +91,9 @@ const char* read(const char* path, const RaytraceSink* sink) try {
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const RaytraceImages* raytrace_images() {
+    // One picture at a time in the caller's thread: a pool would cost more than it saves, and outlive the picture.
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
     static const RaytraceImages functions{raytrace_images_version, write, read};
     return &functions;
 }
