@@ -74,14 +74,14 @@ pid_t start(const std::vector<std::string>& words, const std::string& out_file, 
     _exit(127);
 }
 
-/// Until the process has several threads, or has ended.
+/// Until the process has two workers beside its first thread, or has ended. The thread sanitizer has a thread of its own from the start.
 void wait_for_workers(pid_t child) {
     const fs::path tasks = fmt::format("/proc/{}/task", child);
     std::error_code gone;
     siginfo_t ended{};
     while (ended.si_pid == 0) {
         const auto count = std::distance(fs::directory_iterator(tasks, gone), fs::directory_iterator());
-        if (gone || count > 1) return;
+        if (gone || count > 2) return;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
     }
