@@ -2,11 +2,6 @@
 
 namespace rt {
 
-double difference_of_products(double a, double b, double c, double d) {
-    const double cd = c * d;
-    return std::fma(a, b, -cd) + std::fma(-c, d, cd);
-}
-
 Bounds bounds(const Triangle& shape) {
     Bounds b{shape.a, shape.a};
     b.extend(shape.b);

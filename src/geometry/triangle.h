@@ -2,6 +2,7 @@
 // a ray that crosses an edge or a vertex shared by several triangles meets at least one of them.
 #pragma once
 
+#include "core/products.h"
 #include "geometry/hit.h"
 
 namespace rt {
@@ -33,10 +34,6 @@ struct TriangleRay {
     int kx, ky, kz;
     double sx, sy, sz;
 };
-
-/// a b - c d to within 1.5 ulp, so with the right sign (Kahan's method; Jeannerod, Louvet, Muller 2013, "Further Analysis of Kahan's
-/// Algorithm for the Accurate Computation of 2 x 2 Determinants").
-double difference_of_products(double a, double b, double c, double d);
 
 /// The triangle after the shear, seen along the ray: corners in the plane, depths, and twice the areas opposite to each corner.
 struct ShearedTriangle {

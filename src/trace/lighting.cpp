@@ -126,8 +126,9 @@ Rgb Lighting::microfacet(const View& view, const ActiveLayer& layer, const Vec3&
     if (!half_geometry(view.at.normal, l, -view.at.direction, view.incline_v, g)) return Rgb(0.0);
     const double lobe = layer.finish->s * microfacet_lobe(terms, g, layer.finish->alpha);
     const double metallic = layer.finish->finish.metallic;
-    if (!(metallic > 0.0)) return Rgb(lobe * F(terms.F, layer.finish->f0, g.v_dot_h));
-    return lobe * F(terms.F, layer.finish->f0 * (Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0))), g.v_dot_h);
+    if (!(metallic > 0.0)) return Rgb(lobe * F_schlick(layer.finish->f0, g.v_dot_h));
+    const Rgb f0 = layer.finish->f0 * (Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0)));
+    return lobe * Rgb(F_schlick(f0.r, g.v_dot_h), F_schlick(f0.g, g.v_dot_h), F_schlick(f0.b, g.v_dot_h));
 }
 
 }  // namespace rt

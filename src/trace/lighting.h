@@ -1,7 +1,7 @@
 // What the lights do at one surface point: POV-Ray's finish, or the general microfacet form.
 #pragma once
 
-#include "shading/microfacet.h"
+#include "shading/models.h"
 #include "trace/shadow.h"
 
 namespace rt {
