@@ -14,6 +14,7 @@ int run_program(const Words& words);
 int run_render(const Words& words);
 int run_requires(const Words& words);
 int run_compare(const Words& words);
+int run_brdf(const Words& words);
 int run_help(const Words& words);
 int run_version(const Words& words);
 /// The course's dialect; `command` is its first word.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 9> course_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
                                                           "pixelcolor", "printrays", "pixeltrace", "printbvh"};
-constexpr std::array<std::string_view, 6> later_commands{"grade", "versus", "trade", "brdf", "explain", "merge"};
+constexpr std::array<std::string_view, 5> later_commands{"grade", "versus", "trade", "explain", "merge"};
 
 bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
 
@@ -27,6 +27,7 @@ int run_program(const Words& words) {
     if (is_one_of(course_commands, first)) return run_course(first, rest);
     if (first == "requires") return run_requires(rest);
     if (first == "compare") return run_compare(rest);
+    if (first == "brdf") return run_brdf(rest);
     if (first == "help") return run_help(rest);
     if (first == "version" || first == "--version") return run_version(rest);
     if (is_one_of(later_commands, first)) throw OptionError(fmt::format("'{}' is not available in this version", first));

@@ -11,8 +11,8 @@ namespace rt {
 
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
-    "Commands: requires compare help version; topics of help: povray scene shading\nsampling output course exit. POV-Ray's own options "
-    "work too: +W320 +A0.3 ...";
+    "Commands: requires compare brdf help version; topics of help: povray scene\n"
+    "shading sampling output course exit. POV-Ray's own options work too: +W320 ...";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -21,6 +21,19 @@ const char* const compare_usage = "Usage: raytrace compare [OPTION...] A B\nThe 
 const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
     "...";
+const char* const brdf_usage =
+    "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check FILE...\nThe shading functions on tables: their "
+    "values, "
+    "and those against known ones.";
+const char* const brdf_footer =
+    R"(eval appends a column got_X of 17 digits for each value X of the table; comment
+lines (#) and the cells of a row stay as they are, value columns may be missing.
+check judges a table's value columns: rows, largest error as a fraction of its
+tolerance, and every row beyond it. A file's name says which table it is.
+
+Tables: contract general_r seed0_effectsbrowser seed2_gooch seed3_phong_lights
+seed4_lecture terms_D terms_F terms_G
+Exit status: 0, or 1 if a row is beyond its tolerance or a table has a mistake.)";
 
 namespace {
 
@@ -147,6 +160,7 @@ int run_help(const Words& words) {
     if (words.empty() || words[0] == "render") return run_render({"--help"});
     if (words[0] == "requires") return run_requires({"--help"});
     if (words[0] == "compare") return run_compare({"--help"});
+    if (words[0] == "brdf") return run_brdf({"--help"});
     const std::string_view text = help_topic(words[0]);
     if (text.empty()) throw OptionError("no help on '" + words[0] + "'" + did_you_mean(words[0], help_topics()));
     write_stdout(text);

@@ -18,4 +18,14 @@ inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
             difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+/// a . b as if summed in twice the precision and rounded once (Ogita, Rump, Oishi 2005, "Accurate Sum and Dot Product"): the cosine of a
+/// grazing direction keeps its relative accuracy.
+inline double accurate_dot(const Vec3& a, const Vec3& b) {
+    const double x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+    const double rest = std::fma(a.x, b.x, -x) + std::fma(a.y, b.y, -y) + std::fma(a.z, b.z, -z);
+    const double xy = x + y, y_taken = xy - x;
+    const double xyz = xy + z, z_taken = xyz - xy;
+    return xyz + (rest + ((x - (xy - y_taken)) + (y - y_taken)) + ((xy - (xyz - z_taken)) + (z - z_taken)));
+}
+
 }  // namespace rt

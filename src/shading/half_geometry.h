@@ -16,7 +16,7 @@ struct Incline {
 
 inline Incline incline(const Vec3& n, const Vec3& x) {
     const Vec3 sine = accurate_cross(n, x);
-    return {dot(n, x), dot(sine, sine)};
+    return {accurate_dot(n, x), dot(sine, sine)};
 }
 
 /// The same from a cosine alone, 0..1, taken as exact.
@@ -37,9 +37,10 @@ inline constexpr double least_cosine = 1e-150;
 
 /// False if either direction is at or below the surface or not a number: then nothing is reflected. l = -v cannot pass, so no epsilon
 /// guards it. `incline_v` holds n.v of the same n. Cook, Torrance 1982 call the angles delta, beta and theta; the sine of the half angle
-/// comes from n x s and v.h from |s|, because 1 - (n.h)^2 and a normalised h lose the digits near the highlight.
+/// comes from n x s and v.h from |s|, because 1 - (n.h)^2 and a normalised h lose the digits near the highlight. n.s is the sum of two
+/// accurate positive cosines: for nearly opposite l and v nothing else would keep the digits of n.h.
 inline bool half_geometry(const Vec3& n, const Vec3& l, const Vec3& v, const Incline& incline_v, HalfGeometry& g) {
-    const double n_dot_l = dot(n, l);
+    const double n_dot_l = accurate_dot(n, l);
     if (!(n_dot_l > least_cosine && incline_v.cos > least_cosine)) return false;
     const Vec3 s = l + v;
     g.n_dot_s = n_dot_l + incline_v.cos;

@@ -18,12 +18,13 @@ inline constexpr double least_alpha = 1e-150;
 
 /// (n.h)^(2 exponent) / (pi alpha^2): Blinn 1977 by any power.
 inline double D_power(double cos2_h, double sin2_h, double alpha, double exponent) {
+    if (exponent == 0.0) return 1.0 / (pi * alpha * alpha);
     const double log_cos2 = sin2_h < 0.5 ? std::log1p(-sin2_h) : std::log(cos2_h);
     return std::exp(exponent * log_cos2) / (pi * alpha * alpha);
 }
 /// Blinn with power 2/alpha^2 - 2, which integrates to 1 for every alpha (Walter, Marschner, Li, Torrance 2007, with this width).
 inline double D_blinn(double cos2_h, double sin2_h, double alpha) {
-    return D_power(cos2_h, sin2_h, alpha, (1.0 - alpha) * (1.0 + alpha) / (alpha * alpha));
+    return D_power(cos2_h, sin2_h, alpha, ((1.0 - alpha) / alpha) * ((1.0 + alpha) / alpha));
 }
 /// Blinn with power 1/roughness, roughness = sqrt(alpha): integrates to 1 only at roughness 0.895.
 inline double D_blinn_inverse_roughness(double cos2_h, double sin2_h, double alpha) {
@@ -31,14 +32,13 @@ inline double D_blinn_inverse_roughness(double cos2_h, double sin2_h, double alp
 }
 /// Beckmann, Spizzichino 1963, as Cook, Torrance 1982 use it, normalised.
 inline double D_beckmann(double cos2_h, double sin2_h, double alpha) {
-    const double x = sin2_h / (cos2_h * (alpha * alpha));
-    if (!(x <= 746.0)) return 0.0;
-    const double w = 1.0 / (alpha * cos2_h);
-    return std::exp(-x) * (w * w) / pi;
+    const double x = sin2_h / (cos2_h * alpha * alpha);
+    if (!(x <= 1400.0)) return 0.0;
+    return sqr(std::exp(-0.5 * x) / (alpha * cos2_h)) / pi;  // squared last: the exponential alone would underflow where D does not
 }
 /// GGX (Trowbridge, Reitz 1975; Walter et al. 2007).
 inline double D_ggx(double cos2_h, double sin2_h, double alpha) {
-    const double k = alpha / (sin2_h + alpha * alpha * cos2_h);
+    const double k = alpha / (sin2_h + alpha * (alpha * cos2_h));
     return k * k / pi;
 }
 /// exp(-(angle/alpha)^2): the Gaussian that Cook, Torrance 1982 mention; not normalised, its constant is part of ks.

@@ -81,7 +81,7 @@ TEST_F(Program, MistakesEndWithStatusOneAndNoFile) {
 }
 
 TEST_F(Program, WordsOfLaterVersionsSaySo) {
-    for (const char* name : {"grade", "versus", "trade", "brdf", "explain", "merge", "raycast", "pixelray", "firsthit", "pixelcolor",
+    for (const char* name : {"grade", "versus", "trade", "explain", "merge", "raycast", "pixelray", "firsthit", "pixelcolor",
                              "printrays", "pixeltrace", "printbvh"}) {
         const std::string word = name;
         const Outcome outcome = run({word, "a.pov"});

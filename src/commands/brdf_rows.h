@@ -1,0 +1,40 @@
+// The tables of shading values that the program can compute, each by the functions that the renderer runs.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "commands/brdf_table.h"
+
+namespace rt {
+
+/// A column that is judged. `tolerance` is the largest absolute error of a good double implementation where `want` is right.
+struct JudgedColumn {
+    std::string_view column;
+    std::function<double(const BrdfRow& row, double want)> tolerance;
+};
+
+/// One kind of table. `evaluate` needs the columns of input only and gives a value for each of `columns`, in their order.
+struct BrdfKind {
+    std::string_view name;
+    std::vector<std::string_view> columns;
+    std::function<std::vector<double>(const BrdfRow&)> evaluate;
+    std::vector<JudgedColumn> judged;  ///< some of `columns`
+};
+
+const std::vector<BrdfKind>& brdf_kinds();
+/// The kind of that name, or throws OptionError with a list of them.
+const BrdfKind& brdf_kind(std::string_view name);
+
+// The evaluations, by the source of their formulas. Vectors are used as given, none is made a unit vector but seed3's l and v.
+std::vector<double> brdf_D_row(const BrdfRow& row);
+std::vector<double> brdf_G_row(const BrdfRow& row);
+std::vector<double> brdf_F_row(const BrdfRow& row);
+std::vector<double> brdf_general_row(const BrdfRow& row);
+std::vector<double> brdf_effects_row(const BrdfRow& row);
+std::vector<double> brdf_gooch_row(const BrdfRow& row);
+std::vector<double> brdf_phong_row(const BrdfRow& row);
+std::vector<double> brdf_lecture_row(const BrdfRow& row);
+
+}  // namespace rt

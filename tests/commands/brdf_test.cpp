@@ -1,0 +1,191 @@
+// raytrace brdf: values of closed form, passing lines through, judging, and every mistake in a table.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "tests/commands/support.h"
+
+namespace rt {
+namespace {
+
+using test::Outcome;
+using test::run;
+
+constexpr double pi = 3.14159265358979323846;
+
+class Brdf : public ::testing::Test {
+protected:
+    /// `brdf eval` with `text` as standard input, through the shell.
+    Outcome eval(const std::string& table, const std::string& text) const {
+        here.write("in.csv", text);
+        const std::string command = std::string(PROGRAM) + " brdf eval " + table + " < in.csv > out.csv 2> err.txt";
+        const int status = std::system(command.c_str());
+        return {WEXITSTATUS(status), here.read("out.csv"), here.read("err.txt")};
+    }
+    Outcome check(const std::string& file, const std::string& text) const {
+        here.write(file, text);
+        return run({"brdf", "check", file});
+    }
+    test::Workplace here;
+};
+
+/// The cells behind the input of the row with that number.
+std::vector<double> values(const std::string& out, std::size_t row, std::size_t input_cells) {
+    std::istringstream lines(out);
+    std::string line;
+    for (std::size_t i = 0; i <= row; ++i) std::getline(lines, line);
+    std::istringstream cells(line);
+    std::vector<double> found;
+    std::size_t i = 0;
+    for (std::string cell; std::getline(cells, cell, ','); ++i)
+        if (i >= input_cells) found.push_back(std::strtod(cell.c_str(), nullptr));
+    return found;
+}
+
+TEST_F(Brdf, EvalAppendsColumnsAndKeepsEveryLine) {
+    const Outcome outcome = eval("terms_F", "# a comment, kept\nid,class,c,ior,k\n\n7,x,1,3,0\r\n8, y ,0.5,1e0,0.0\n");
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out,
+              "# a comment, kept\n"
+              "id,class,c,ior,k,got_F0,got_F0k,got_F_schlick,got_F_schlick1,got_F_dielectric,got_F_conductor,got_F_schlick_k\n\n"
+              "7,x,1,3,0,0.25,0.25,0.25,0.25,0.25,0.25,0.25\n"
+              "8, y ,0.5,1e0,0.0,0,0,0.03125,0.5,0,0,0.03125\n");
+}
+
+TEST_F(Brdf, EvalKnowsTheTermsAtTheNormal) {
+    const Outcome D = eval("terms_D", "alpha,nh\n0.5,1\n1,0.3\n");
+    ASSERT_EQ(D.status, 0) << D.err;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(values(D.out, 1, 2).at(i), 4.0 / pi) << i;
+    EXPECT_DOUBLE_EQ(values(D.out, 1, 2).at(3), 1.0);
+    EXPECT_DOUBLE_EQ(values(D.out, 2, 2).at(0), 1.0 / pi);  // alpha 1: Blinn and GGX are constant
+    EXPECT_DOUBLE_EQ(values(D.out, 2, 2).at(2), 1.0 / pi);
+    const Outcome G = eval("terms_G", "alpha,nv,nl,nh,vh\n1,0.5,0.5,0.25,1\n");
+    ASSERT_EQ(G.status, 0) << G.err;
+    const std::vector<double> got = values(G.out, 1, 5);
+    EXPECT_DOUBLE_EQ(got.at(0), 0.25);       // 2 nh nv / vh
+    EXPECT_DOUBLE_EQ(got.at(1), 2.0 / 3.0);  // 2 c / (c + sqrt(c^2 + 1 - c^2))
+    EXPECT_DOUBLE_EQ(got.at(3), 4.0 / 9.0);  // the product of two
+    EXPECT_DOUBLE_EQ(got.at(4), 0.5);        // 2 / (1/c + 1/c)
+    EXPECT_DOUBLE_EQ(got.at(9), 0.25);       // V of 2 nh nv / vh
+    EXPECT_DOUBLE_EQ(got.at(10), 1.0 / 2.25);
+}
+
+TEST_F(Brdf, EvalKnowsTheFormsAtTheNormal) {
+    // n = l = v: D = 1/(pi alpha^2), V = 1/4, h = n; F0 of index 3 is 1/4.
+    const std::string n = "0,0,1,0,0,1,0,0,1", vectors = "nx,ny,nz,lx,ly,lz,vx,vy,vz";
+    const Outcome general = eval("general_r", vectors + ",roughness,ior,k,ka,kd,s,lc,sigma,Dname,Gname,Fname,diffuse\n" + n +
+                                                  ",0.5,3,0,0.125,0.5,0.25,2,0,ggx,ggx,schlick,lambert\n");
+    ASSERT_EQ(general.status, 0) << general.err;
+    const double rs = 0.25 * 0.25 * 16.0 / pi;
+    const std::vector<double> want{16.0 / pi, 1.0, 0.25, 0.5, rs, 0.125 + 2.0 * (0.75 * 0.5 + 0.25 * rs)};
+    for (std::size_t i = 0; i < want.size(); ++i) EXPECT_DOUBLE_EQ(values(general.out, 1, 21).at(i), want[i]) << i;
+
+    const Outcome effects =
+        eval("seed0_effectsbrowser", vectors + ",m,F0,ks,kd,ka,dc,il,power,dw\n" + n + ",0.5,0.25,0.5,0.5,0.5,1,2,10,0.01\n");
+    ASSERT_EQ(effects.status, 0) << effects.err;
+    const double ct = 0.01 * 0.5 * 0.25 / pi;  // dw ks F / (4 m^2 pi nv)
+    const std::vector<double> shown{0.5, 1.0, 1.0, ct, ct, ct, ct, 0.25, 0.25, 2.0 * ct};
+    for (std::size_t i = 0; i < shown.size(); ++i) EXPECT_DOUBLE_EQ(values(effects.out, 1, 18).at(i), shown[i]) << i;
+
+    const Outcome lecture = eval("seed4_lecture", vectors + ",m,ratio,ka,ks,rho,Ia,Ii\n" + n + ",0.5,3,0.25,0.25,0.5,2,4\n");
+    ASSERT_EQ(lecture.status, 0) << lecture.err;
+    EXPECT_DOUBLE_EQ(values(lecture.out, 1, 16).at(4), 0.5 + 4.0 * (0.25 + 0.25 * 0.25 / pi));
+
+    const Outcome gooch = eval("seed2_gooch", vectors + ",roughness,ior,kcool,kwarm,Dname\n" + n + ",0.5,3,0.25,0.75,beckmann\n");
+    ASSERT_EQ(gooch.status, 0) << gooch.err;
+    const std::vector<double> tones{rs, rs, 0.25, 0.75};
+    for (std::size_t i = 0; i < tones.size(); ++i) EXPECT_DOUBLE_EQ(values(gooch.out, 1, 14).at(i), tones[i]) << i;
+
+    // A spot two units above, shining down; the eye is there, too.
+    const Outcome phong = eval("seed3_phong_lights",
+                               "light,nx,ny,nz,px,py,pz,ex,ey,ez,lpx,lpy,lpz,sdx,sdy,sdz,shininess,spot_exp,range,Ma,Ca,Md,Cd,Ms,Cs\n"
+                               "spot,0,0,1,0,0,0,0,0,2,0,0,2,0,0,-3,5,7,1e30,0.5,0.5,1,0.5,1,0.25\n");
+    ASSERT_EQ(phong.status, 0) << phong.err;
+    const std::vector<double> lit{2, 1, 1, 0.25, 0.5, 0.25, 0.25, 1.0 / 7.0, 1, 0.25 + 0.75 / 7.0, 1.0 / 7.0};
+    for (std::size_t i = 0; i < lit.size(); ++i) EXPECT_DOUBLE_EQ(values(phong.out, 1, 25).at(i), lit[i]) << i;
+}
+
+TEST_F(Brdf, EvalTakesTheExtremesOfNumbers) {
+    const std::string head = "alpha,nh\n";
+    const Outcome outcome = eval("terms_D", head + "2,4.9406564584124654e-324\n1e200,1\n0,1\n1,0\nnan,1\n");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_DOUBLE_EQ(values(outcome.out, 4, 2).at(0), 1.0 / pi);                 // alpha 1 has no exponent to take
+    for (const double value : values(outcome.out, 3, 2)) EXPECT_EQ(value, 0.0);  // the mirror ray's business
+    for (const double value : values(outcome.out, 2, 2)) EXPECT_EQ(value, 0.0);
+    for (const double value : values(outcome.out, 5, 2)) EXPECT_EQ(value, 0.0);
+}
+
+TEST_F(Brdf, CheckPassesAndFailsByTheTolerance) {
+    // F = 1/4 exactly; the tolerance is 256 half units in the last place: 0.25 * 2.8e-14.
+    const std::string head = "# by hand\nid,class,c,ior,k,F_schlick,F_dielectric,F_conductor\n";
+    const Outcome good = check("terms_F.csv", head + "0,x,1,3,0,0.25,0.250000000000001,0.25\n");
+    EXPECT_EQ(good.status, 0) << good.err;
+    EXPECT_EQ(good.out,
+              "terms_F.csv\n"
+              "  F_schlick            1 rows  largest 0 at id 0  beyond 0\n"
+              "  F_dielectric         1 rows  largest 0.141 at id 0  beyond 0\n"
+              "  F_conductor          1 rows  largest 0 at id 0  beyond 0\n");
+    const Outcome bad = check("terms_F.csv", head +
+                                                 "0,x,1,3,0,0.25,0.25,0.25\n4,x,1,3,0,0.25,0.25000000000001,0.25\n5,x,1,3,0,0.25,nan,inf\n"
+                                                 "6,critical,1,3,0,0.25,0.2500003,0.25\n");
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_EQ(bad.err, "");
+    EXPECT_EQ(bad.out,
+              "terms_F.csv\n"
+              "  F_schlick            4 rows  largest 0 at id 0  beyond 0\n"
+              "  F_dielectric         4 rows  largest inf at id 5  beyond 2\n"
+              "  F_conductor          4 rows  largest inf at id 5  beyond 1\n"
+              "  beyond: id 4 F_dielectric wanted 0.25000000000000999 got 0.25 fraction 1.41\n"
+              "  beyond: id 5 F_dielectric wanted nan got 0.25 fraction inf\n"
+              "  beyond: id 5 F_conductor wanted inf got 0.25 fraction inf\n");
+    EXPECT_EQ(run({"brdf", "check", "terms_F.csv", "terms_F.csv"}).out, bad.out + bad.out);
+}
+
+TEST_F(Brdf, MistakesInATableAreNamedWithTheirPlace) {
+    const std::string names =
+        "contract, general_r, seed0_effectsbrowser, seed2_gooch, seed3_phong_lights, seed4_lecture, terms_D, terms_G, terms_F";
+    const auto fails = [&](const std::string& file, const std::string& text, const std::string& message) {
+        const Outcome outcome = check(file, text);
+        EXPECT_EQ(outcome.status, 1) << text;
+        EXPECT_EQ(outcome.err, "raytrace: " + message + "\n");
+        EXPECT_EQ(outcome.out, "");
+    };
+    const std::string head = "id,class,alpha,nh,D_blinn,D_beckmann,D_ggx\n";
+    fails("terms_E.csv", head, "brdf: no table 'terms_E'; expected one of " + names);
+    fails("terms_D.csv", "", "terms_D.csv: no header line with the names of the columns");
+    fails("terms_D.csv", "# only this\n\n", "terms_D.csv: no header line with the names of the columns");
+    fails("terms_D.csv", "# x\nid,class,alpha,nh,D_blin,D_beckmann,D_ggx\n", "terms_D.csv:2: no column 'D_blinn'; did you mean 'D_blin'?");
+    fails("terms_D.csv", "id,alpha,nh,id\n", "terms_D.csv:1: column 'id' appears twice");
+    fails("terms_D.csv", head + "0,x,1,1,1,1\n", "terms_D.csv:2: 6 cells under a header of 7");
+    fails("terms_D.csv", head + "\n0,x,1,1.0.0,1,1,1\n", "terms_D.csv:3: column 'nh': '1.0.0' is not a number");
+    fails("terms_D.csv", head + "0,x,,1,1,1,1\n", "terms_D.csv:2: column 'alpha': '' is not a number");
+    fails("terms_D.csv", head + "0,x,1,1,one,1,1\n", "terms_D.csv:2: column 'D_blinn': 'one' is not a number");
+    fails("terms_D.csv", head + "0,x,1\x01" + std::string(60, 'y') + ",1,1,1,1\n",
+          "terms_D.csv:2: column 'alpha': '1?" + std::string(38, 'y') + "...' is not a number");
+    fails("seed2_gooch.csv",
+          "id,nx,ny,nz,lx,ly,lz,vx,vy,vz,roughness,ior,kcool,kwarm,Dname,k_spec,k_spec_literal,gooch,gooch_literal,kappa,kappa_literal\n"
+          "0,0,0,1,0,0,1,0,0,1,1,1,0,0,gxg,0,0,0,0,0,0\n",
+          "seed2_gooch.csv:2: 'gxg' is no D; expected one of blinn, blinn-inverse-roughness, beckmann, ggx, gaussian");
+    const Outcome light = eval("seed3_phong_lights", "light\nlaser\n");
+    EXPECT_EQ(light.status, 1);
+    EXPECT_EQ(light.err, "raytrace: standard input:2: 'laser' is no light; expected one of parallel, point, spot\n");
+    EXPECT_EQ(light.out, "");
+    EXPECT_EQ(eval("nothing", "").err, "raytrace: brdf: no table 'nothing'; expected one of " + names + "\n");
+    EXPECT_EQ(run({"brdf", "check", "gone/terms_D.csv"}).err, "raytrace: cannot open 'gone/terms_D.csv': No such file or directory\n");
+}
+
+TEST_F(Brdf, WrongWordsSayWhatIsExpected) {
+    const std::string see = "; see raytrace brdf --help\n";
+    EXPECT_EQ(run({"brdf"}).err, "raytrace: brdf: expected 'eval' or 'check'" + see);
+    EXPECT_EQ(run({"brdf", "evil"}).err, "raytrace: brdf: expected 'eval' or 'check' instead of 'evil'" + see);
+    EXPECT_EQ(run({"brdf", "eval"}).err, "raytrace: brdf eval: expected one table's name" + see);
+    EXPECT_EQ(run({"brdf", "check"}).err, "raytrace: brdf check: expected a file" + see);
+    EXPECT_EQ(run({"brdf"}).status, 1);
+    EXPECT_EQ(run({"help", "brdf"}).out, run({"brdf", "--help"}).out);
+}
+
+}  // namespace
+}  // namespace rt
