@@ -1,5 +1,6 @@
 #include "commands/interrupt.h"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -14,8 +15,15 @@ std::atomic<bool> stop_asked{false};
 std::atomic<bool> render_listens{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-void on_signal(int) {
+pthread_t main_thread;
+
+/// The end of the program is left to the main thread: it makes the temporary files and holds signals while their list changes.
+void on_signal(int signal) {
     if (render_listens.load() && !stop_asked.exchange(true)) return;
+    if (pthread_equal(pthread_self(), main_thread) == 0) {
+        pthread_kill(main_thread, signal);
+        return;
+    }
     remove_temporary_files();
     constexpr char text[] = "\nraytrace: interrupted\n";
     const auto written = write(STDERR_FILENO, text, sizeof text - 1);
@@ -35,6 +43,7 @@ StopOnSignal::~StopOnSignal() { render_listens = false; }
 const std::atomic<bool>& StopOnSignal::stop() const { return stop_asked; }
 
 void install_signal_handlers() {
+    main_thread = pthread_self();
     struct sigaction action {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);

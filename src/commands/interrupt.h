@@ -20,8 +20,8 @@ public:
     const std::atomic<bool>& stop() const;
 };
 
-/// Handles SIGINT, SIGTERM and SIGHUP as said above, but for those that were ignored when the program started (nohup): they stay so.
-/// Writing to a closed pipe becomes an error instead of a signal.
+/// Called once, by the main thread. Handles SIGINT, SIGTERM and SIGHUP as said above, but for those that were ignored when the program
+/// started (nohup): they stay so. Writing to a closed pipe becomes an error instead of a signal.
 void install_signal_handlers();
 
 }  // namespace rt

@@ -7,7 +7,7 @@
 namespace rt {
 
 /// Written beside its target under a temporary name and renamed by `commit`; unless committed it vanishes with the object (a signal that
-/// ends the program removes it too, see temporary_files.h), and a file that
+/// ends the program removes it too, which makes it the main thread's, see temporary_files.h), and a file that
 /// stood there stays as it was. A symbolic link keeps pointing where it points: its target is replaced. "-" is standard output; it and
 /// anything else that is no regular file (a device, a pipe) is written directly. Errors are OutputError with path and system's reason.
 class OutputFile {

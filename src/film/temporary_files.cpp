@@ -12,9 +12,8 @@ namespace rt {
 
 namespace {
 
-/// `used` is set after the path is complete and cleared before it changes, so that a handler never sees half a name.
+/// `used` is set after the path is complete, so that a handler in the same thread never sees half a name.
 struct Slot {
-    std::atomic<bool> taken{false};
     std::atomic<bool> used{false};
     std::array<char, PATH_MAX> path{};
 };
@@ -35,7 +34,7 @@ HoldSignals::~HoldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 void remember_temporary(const std::string& path) {
     if (path.size() >= PATH_MAX) return;
     for (Slot& slot : slots) {
-        if (slot.taken.exchange(true)) continue;
+        if (slot.used) continue;
         std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
         slot.used = true;
         return;
@@ -46,7 +45,6 @@ void forget_temporary(const std::string& path) {
     for (Slot& slot : slots) {
         if (!slot.used || path != slot.path.data()) continue;
         slot.used = false;
-        slot.taken = false;
         return;
     }
 }

@@ -35,7 +35,7 @@ struct Comparison {
 struct SamplingTask {
     Sampling sampling;
     Comparison comparison;
-    const std::atomic<bool>* stop = nullptr;  ///< looked at before every pixel
+    const std::atomic<bool>* stop = nullptr;  ///< looked at before every row, or before every pixel that may take several samples
     Samples samples;
 
     Pixel sample(double x, double y) const {

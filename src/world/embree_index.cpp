@@ -71,7 +71,7 @@ void for_each_ray(const int* valid, unsigned count, RTCRayN* rays, const RTCInte
         if (valid[i]) f(*travellers[RTCRayN_id(rays, count, i)], RTCRayN_tfar(rays, count, i));
 }
 
-/// The callback for nearest hits, from one of the tests above: offers what it meets to the query, and lets Embree cull by a better hit.
+/// The callback for nearest hits, from one of traveller.h's tests: offers what it meets to the query, and lets Embree cull by a better hit.
 template <auto test>
 void on_intersect(const RTCIntersectFunctionNArguments* args) {
     for_each_ray(args->valid, args->N, RTCRayHitN_RayN(args->rayhit, args->N), args->context, [&](Traveller& ray, float& far) {

@@ -1,10 +1,17 @@
 // Signals to the program itself: what it keeps, what it leaves behind.
 #include <gtest/gtest.h>
 
+#include <pthread.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <thread>
 
+#include "commands/interrupt.h"
 #include "film/image_file.h"
+#include "film/temporary_files.h"
 #include "tests/commands/support.h"
 
 namespace rt {
@@ -88,6 +95,36 @@ TEST_F(Interrupts, NorTheScratchFileOfAnotherFormat) {
     unsetenv("TMPDIR");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(here.files(), (Files{"a.pov", "b.pov"}));
+}
+
+void raise_in_another_thread(int signal) {
+    std::thread([signal] {
+        sigset_t none;
+        sigemptyset(&none);
+        pthread_sigmask(SIG_SETMASK, &none, nullptr);
+        raise(signal);
+    }).join();
+}
+
+/// Makes a file as the program makes its temporary ones, while other threads take the program's signals.
+[[noreturn]] void make_a_file_among_signals() {
+    install_signal_handlers();
+    const StopOnSignal signals;
+    {
+        const HoldSignals until_registered;
+        std::ofstream("half.tmp") << "half";
+        raise_in_another_thread(SIGINT);
+        if (!signals.stop()) _exit(101);
+        raise_in_another_thread(SIGTERM);
+        remember_temporary("half.tmp");
+    }
+    _exit(102);
+}
+
+TEST(Signals, ThatAnotherThreadTakesWaitUntilATemporaryFileIsRegistered) {
+    const test::Workplace here;
+    EXPECT_EXIT(make_a_file_among_signals(), testing::ExitedWithCode(exit_interrupted), "raytrace: interrupted");
+    EXPECT_EQ(here.files(), Files{});
 }
 
 }  // namespace
