@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "commands/povray_settings.h"
 #include "commands/suggest.h"
@@ -18,7 +18,7 @@ namespace rt {
 
 namespace {
 
-constexpr int max_ini_depth = 16;
+constexpr int max_ini_files = 64;
 constexpr std::uintmax_t max_ini_bytes = 1 << 20;
 
 /// "Name=value": a key is letters, digits and underscores and begins with a letter.
@@ -37,28 +37,74 @@ bool is_ini_file(std::string_view word) {
 }
 
 bool is_gnu_short(const std::string& word) {
-    for (const char* ours : {"-h", "-o", "-q", "-t", "-L", "-W", "-H", "-"})
-        if (word == ours) return true;
+    for (const std::string ours : {"-h", "-o", "-q", "-t", "-L", "-W", "-H", "-"})
+        if (word == ours || (ours.size() == 2 && word.starts_with(ours + '='))) return true;
     return false;
+}
+
+std::vector<std::string> known_keys() {
+    std::vector<std::string> keys;
+    for (const PovraySetting& setting : povray_settings()) keys.emplace_back(setting.key);
+    return keys;
+}
+
+/// Calls `f` with the index of every character of `line` that is outside of quotes, until it says true.
+void outside_quotes(std::string_view line, const std::function<bool(std::size_t)>& f) {
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (quote == 0 && f(i)) return;
+        if (quote != 0 ? line[i] == quote : line[i] == '"') quote = quote != 0 ? '\0' : line[i];
+    }
+}
+
+/// `line` up to a ; or # that is not in quotes.
+std::string_view without_comment(std::string_view line) {
+    std::size_t end = line.size();
+    outside_quotes(line, [&](std::size_t i) {
+        if (line[i] == ';' || line[i] == '#') end = std::min(end, i);
+        return end < line.size();
+    });
+    return line.substr(0, end);
+}
+
+/// The words of a line of an INI file, where blanks in quotes are no ends.
+std::vector<std::string> words_of(std::string_view line) {
+    std::vector<std::string> words;
+    std::size_t begin = 0;
+    const auto take = [&](std::size_t end) {
+        const std::string_view word = unquoted(line.substr(begin, end - begin));
+        if (!word.empty()) words.emplace_back(word);
+        begin = end;
+        return false;
+    };
+    outside_quotes(line, [&](std::size_t i) { return std::isspace(static_cast<unsigned char>(line[i])) != 0 && take(i); });
+    take(line.size());
+    return words;
 }
 
 class Translator {
 public:
-    Translator(const std::function<bool(const std::string&)>& takes_value) : takes_value_(takes_value) {}
+    Translator(const OwnOptions& own) : own_(own) {}
 
     void command_line(const std::vector<std::string>& words);
     Translation result;
 
 private:
-    const std::function<bool(const std::string&)>& takes_value_;
-    int depth_ = 0;
+    const OwnOptions& own_;
+    std::vector<std::string> open_;  ///< INI files that are being read, each with its section
+    int files_ = 0;                  ///< INI files read so far
+    std::size_t tried_ = 0;          ///< words up to here come from lines that have been tried out
+    bool placed_ = false;            ///< the mistake on its way out names its line already
 
+    bool our_option(const std::vector<std::string>& words, std::size_t& i);
     bool povray_word(const std::string& word);
     bool switch_word(const std::string& word);
     std::string without_fraction(std::string_view value, const std::string& written);
     void setting(const std::string& key, std::string_view value, const std::string& written);
     void ini_file(std::string_view word);
+    void ini_lines(std::istream& in, const std::string& name, const std::string& wanted);
     void ini_line(std::string_view line);
+    void ini_word(const std::string& word);
 };
 
 void Translator::command_line(const std::vector<std::string>& words) {
@@ -68,12 +114,18 @@ void Translator::command_line(const std::vector<std::string>& words) {
             result.words.insert(result.words.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
             return;
         }
-        const bool grid = word == "-ss" || word.starts_with("-ss=");  // the course's way to write it, welcome everywhere
-        const bool gnu = grid || word.starts_with("--") || is_gnu_short(word);
-        if (!gnu && povray_word(word)) continue;
-        result.words.push_back(grid ? "-" + word : word);
-        if (gnu && i + 1 < words.size() && takes_value_(result.words.back())) result.words.push_back(words[++i]);
+        if (!our_option(words, i) && !povray_word(word)) result.words.push_back(word);
     }
+}
+
+/// Takes words[i] if it is an option in our own syntax, with its value if that is the next word.
+bool Translator::our_option(const std::vector<std::string>& words, std::size_t& i) {
+    const std::string& word = words[i];
+    const bool grid = word == "-ss" || word.starts_with("-ss=");  // the course's way to write it, welcome everywhere
+    if (!grid && !word.starts_with("--") && !is_gnu_short(word)) return false;
+    result.words.push_back(grid ? "-" + word : word);
+    if (i + 1 < words.size() && own_.takes_value(result.words.back())) result.words.push_back(words[++i]);
+    return true;
 }
 
 bool Translator::povray_word(const std::string& word) {
@@ -91,6 +143,9 @@ bool Translator::povray_word(const std::string& word) {
 }
 
 bool Translator::switch_word(const std::string& word) {
+    const std::string name = "--" + word.substr(1, word.find('=') - 1);
+    if (std::find(own_.long_names.begin(), own_.long_names.end(), name) != own_.long_names.end())
+        throw OptionError(fmt::format("unknown option '{}'; did you mean '{}'?", word, name));
     const PovraySwitch* found = find_povray_switch(std::string_view(word).substr(1));
     if (!found) {
         if (word[0] == '-') return false;  // perhaps one of our short options
@@ -124,9 +179,7 @@ void Translator::setting(const std::string& key, std::string_view value, const s
     const PovraySetting* found = find_povray_setting(key);
     if (!found) {
         if (lower_case(key) == "include_ini") return ini_file(value);
-        std::vector<std::string> known;
-        for (const PovraySetting& s : povray_settings()) known.emplace_back(s.key);
-        throw OptionError(fmt::format("unknown setting '{}'{}", key, did_you_mean(key, known)));
+        throw OptionError(fmt::format("unknown setting '{}'{}", key, did_you_mean(key, known_keys())));
     }
     const auto ignore = [&] {
         if (result.ignored.empty() || result.ignored.back() != written) result.ignored.push_back(written);
@@ -169,18 +222,27 @@ void Translator::ini_file(std::string_view word) {
         word = word.substr(0, open);
     }
     const std::string name(word);
-    if (++depth_ > max_ini_depth) throw OptionError(fmt::format("INI file '{}' is nested too deeply", name));
     std::error_code ignored;
     std::ifstream in(name, std::ios::binary);
     if (!in || !std::filesystem::is_regular_file(name, ignored)) throw OptionError(fmt::format("cannot open INI file '{}'", name));
     if (std::filesystem::file_size(name, ignored) > max_ini_bytes)
         throw OptionError(fmt::format("INI file '{}' is longer than 1 MB", name));
+    if (++files_ > max_ini_files) throw OptionError(fmt::format("INI file '{}' is one more than {} to be read", name, max_ini_files));
+    const std::string identity = std::filesystem::weakly_canonical(name, ignored).string() + '[' + wanted;
+    if (std::find(open_.begin(), open_.end(), identity) != open_.end())
+        throw OptionError(fmt::format("INI file '{}' includes itself", name));
+    open_.push_back(identity);
+    ini_lines(in, name, wanted);
+    open_.pop_back();
+}
+
+void Translator::ini_lines(std::istream& in, const std::string& name, const std::string& wanted) {
     bool active = true;  // lines before the first section always count
     bool found = wanted.empty();
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
-        const std::string_view text = unquoted(line);
+        const std::string_view text = trimmed(line);
         if (text.starts_with('[') && text.ends_with(']')) {
             active = !wanted.empty() && lower_case(text.substr(1, text.size() - 2)) == wanted;
             found = found || active;
@@ -190,36 +252,55 @@ void Translator::ini_file(std::string_view word) {
         try {
             ini_line(text);
         } catch (const OptionError& error) {
+            if (placed_) throw;  // an included file knows its line better
+            placed_ = true;
             throw OptionError(fmt::format("File '{}' line {}: {}", name, number, error.what()));
         }
     }
     if (!found) throw OptionError(fmt::format("INI file '{}' has no section [{}]", name, wanted));
-    --depth_;
 }
 
 /// One line: a comment, one Name=value, or several switches and file names.
 void Translator::ini_line(std::string_view line) {
-    char quote = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (quote != 0 ? line[i] == quote : line[i] == '"') quote = quote != 0 ? '\0' : line[i];
-        if (quote == 0 && line[i] == ';') line = line.substr(0, i);
-    }
-    const std::string text(unquoted(line));
+    const std::string text(trimmed(without_comment(line)));
     if (text.empty()) return;
+    std::size_t next = result.words.size();
     const std::size_t equals = text.find('=');
-    if (equals != std::string::npos && text[0] != '+' && text[0] != '-') {
-        setting(std::string(unquoted(std::string_view(text).substr(0, equals))), unquoted(std::string_view(text).substr(equals + 1)), text);
-        return;
+    if (equals != std::string::npos && text[0] != '+' && text[0] != '-' && text[0] != '"') {
+        setting(std::string(trimmed(std::string_view(text).substr(0, equals))), unquoted(std::string_view(text).substr(equals + 1)), text);
+    } else {
+        const std::vector<std::string> words = words_of(text);
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (!our_option(words, i)) ini_word(words[i]);
     }
-    std::istringstream pieces(text);
-    for (std::string piece; pieces >> piece;)
-        if (!povray_word(piece)) result.words.push_back(piece);
+    // What is wrong with a value is found here, where its place is known; an included file has done so for its own lines.
+    for (next = std::max(next, tried_); next < result.words.size(); ++next) {
+        const std::string& word = result.words[next];
+        if (!word.starts_with('-')) continue;
+        const bool separate = next + 1 < result.words.size() && own_.takes_value(word);
+        own_.try_out(separate ? std::vector{word, result.words[++next]} : std::vector{word});
+    }
+    tried_ = next;
+}
+
+/// A word of a line that is no setting.
+void Translator::ini_word(const std::string& word) {
+    if (povray_word(word)) return;
+    std::error_code ignored;
+    const bool scene = lower_case(word).ends_with(".pov") || std::filesystem::is_regular_file(word, ignored);
+    if (!scene && !word.starts_with('-')) {
+        if (const PovraySetting* key = find_povray_setting(word))
+            throw OptionError(fmt::format("no '=' behind '{}': expected {}=value", word, key->key));
+        throw OptionError(
+            fmt::format("expected Name=value, a switch (+W640) or a scene (NAME.pov), not '{}'{}", word, did_you_mean(word, known_keys())));
+    }
+    result.words.push_back(word);
 }
 
 }  // namespace
 
-Translation translate_povray_syntax(const std::vector<std::string>& words, const std::function<bool(const std::string&)>& takes_value) {
-    Translator translator(takes_value);
+Translation translate_povray_syntax(const std::vector<std::string>& words, const OwnOptions& own) {
+    Translator translator(own);
     translator.command_line(words);
     return std::move(translator.result);
 }

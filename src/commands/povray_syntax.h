@@ -13,9 +13,17 @@ struct Translation {
     std::vector<std::string> ignored;  ///< switches and keys without a meaning here, as written
 };
 
+/// What has to be known about our own options.
+struct OwnOptions {
+    std::function<bool(const std::string&)> takes_value;  ///< does this one ("--width", "-W") take its value from the next word?
+    std::vector<std::string> long_names;                  ///< every "--name"
+    /// Carries out one option (its name and value in one word or two) for nobody; throws OptionError if there is a mistake in it.
+    std::function<void(const std::vector<std::string>&)> try_out;
+};
+
 /// Turns +X and -X switches, Name=value settings and .ini files (with an optional [section]) into GNU options "--name=value". Other
-/// words stay; so do those that `takes_value` says belong to the option before them, and everything behind `--`.
-/// Throws OptionError for an unknown switch or key, with a suggestion.
-Translation translate_povray_syntax(const std::vector<std::string>& words, const std::function<bool(const std::string&)>& takes_value);
+/// words stay; so do those that belong to an option of ours before them, and everything behind `--`.
+/// Throws OptionError for an unknown switch or key, with a suggestion, and for every mistake in an INI file, with its place.
+Translation translate_povray_syntax(const std::vector<std::string>& words, const OwnOptions& own);
 
 }  // namespace rt

@@ -216,7 +216,12 @@ void define_render(CommandLine& line, Draft& d) {
 }
 
 Translation translate(const std::vector<std::string>& words, const CommandLine& line) {
-    return translate_povray_syntax(words, [&](const std::string& word) { return line.takes_value(word); });
+    Draft trial;
+    CommandLine trial_line(render_usage, render_footer);
+    define_render(trial_line, trial);
+    return translate_povray_syntax(words, {.takes_value = [&](const std::string& word) { return line.takes_value(word); },
+                                           .long_names = line.long_names(),
+                                           .try_out = [&](const std::vector<std::string>& option) { trial_line.parse(option); }});
 }
 
 }  // namespace

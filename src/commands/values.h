@@ -15,6 +15,8 @@ double real_number(std::string_view what, std::string_view text, double least, d
 bool on_or_off(std::string_view what, std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
 std::string lower_case(std::string_view text);
+/// Without blanks around it.
+std::string_view trimmed(std::string_view text);
 /// Without blanks around it and without one pair of quotes around that.
 std::string_view unquoted(std::string_view text);
 

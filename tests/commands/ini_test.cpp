@@ -11,7 +11,13 @@ namespace {
 using Words = std::vector<std::string>;
 
 Translation translate(const Words& words) {
-    return translate_povray_syntax(words, [](const std::string& word) { return word == "--define"; });
+    const OwnOptions own{.takes_value = [](const std::string& word) { return word == "--define"; },
+                         .long_names = {"--define", "--width"},
+                         .try_out =
+                             [](const Words& option) {
+                                 if (option.back().ends_with("=x")) throw OptionError("'x' is no number");
+                             }};
+    return translate_povray_syntax(words, own);
 }
 
 std::string error_of(const Words& words) {
@@ -54,8 +60,24 @@ TEST(Ini, OneFileMayIncludeAnotherButNotItself) {
     here.write("a.ini", "Include_Ini=b.ini\n");
     here.write("b.ini", "Width=5\n");
     here.write("loop.ini", "Include_Ini=loop.ini\n");
+    here.write("there.ini", "; first\nInclude_Ini=back.ini\n");
+    here.write("back.ini", "Width=1\n./there.ini\n");
+    here.write("sections.ini", "[one]\nWidth=1\nInclude_Ini=sections.ini[two]\n[two]\nHeight=2\n");
     EXPECT_EQ(translate({"a.ini"}).words, (Words{"--width=5"}));
-    EXPECT_NE(error_of({"loop.ini"}).find("INI file 'loop.ini' is nested too deeply"), std::string::npos);
+    EXPECT_EQ(translate({"b.ini", "b.ini"}).words, (Words{"--width=5", "--width=5"}));
+    EXPECT_EQ(translate({"sections.ini[one]"}).words, (Words{"--width=1", "--height=2"}));
+    EXPECT_EQ(error_of({"loop.ini"}), "File 'loop.ini' line 1: INI file 'loop.ini' includes itself");
+    EXPECT_EQ(error_of({"there.ini"}), "File 'back.ini' line 2: INI file './there.ini' includes itself");
+}
+
+TEST(Ini, FilesThatIncludeEachOtherManyTimesAreRefusedBeforeTheyAreAllRead) {
+    const test::Workplace here;
+    for (int i = 0; i < 12; ++i) {
+        const std::string next = "Include_Ini=" + std::to_string(i + 1) + ".ini\n";
+        here.write(std::to_string(i) + ".ini", next + next + next + next);
+    }
+    here.write("12.ini", "Width=5\n");
+    EXPECT_NE(error_of({"0.ini"}).find("is one more than 64 to be read"), std::string::npos);
 }
 
 TEST(Ini, MistakesCarryTheirPlace) {
@@ -63,6 +85,41 @@ TEST(Ini, MistakesCarryTheirPlace) {
     here.write("a.ini", "Width=5\nHieght=7\n");
     EXPECT_EQ(error_of({"a.ini"}), "File 'a.ini' line 2: unknown setting 'Hieght'; did you mean 'Height'?");
     EXPECT_EQ(error_of({"none.ini"}), "cannot open INI file 'none.ini'");
+    here.write("value.ini", "Width=5\n\nHeight=x\nWidth=7\n");
+    here.write("outer.ini", "Include_Ini=value.ini\n");
+    EXPECT_EQ(error_of({"value.ini"}), "File 'value.ini' line 3: 'x' is no number");
+    EXPECT_EQ(error_of({"outer.ini"}), "File 'value.ini' line 3: 'x' is no number");
+    here.write("ours.ini", "--define=x\n");
+    EXPECT_EQ(error_of({"ours.ini"}), "File 'ours.ini' line 1: 'x' is no number");
+}
+
+// POV-Ray 3.7 takes none of these lines.
+TEST(Ini, ALineWithoutEqualsSignSaysWhatIsMissing) {
+    const test::Workplace here;
+    const std::vector<std::pair<std::string, std::string>> lines{
+        {"Width 8", "no '=' behind 'Width': expected Width=value"},
+        {"display", "no '=' behind 'display': expected Display=value"},
+        {"Widht: 8", "expected Name=value, a switch (+W640) or a scene (NAME.pov), not 'Widht:'; did you mean 'Width'?"},
+        {"+H6 W8", "expected Name=value, a switch (+W640) or a scene (NAME.pov), not 'W8'"},
+        {"// text", "expected Name=value, a switch (+W640) or a scene (NAME.pov), not '//'"},
+    };
+    for (const auto& [line, text] : lines) {
+        here.write("a.ini", "Height=6\n" + line + "\n");
+        EXPECT_EQ(error_of({"a.ini"}), "File 'a.ini' line 2: " + text);
+    }
+}
+
+// POV-Ray 3.7 takes all of these lines.
+TEST(Ini, ScenesOptionsAndCommentsNeedNoEqualsSign) {
+    const test::Workplace here;
+    here.write("a.ini",
+               "# a comment\n"
+               "\"my scene.pov\" +W8 # behind\n"
+               "+I\"my other.POV\" +H6\n"
+               "other.POV\n");
+    EXPECT_EQ(translate({"a.ini"}).words, (Words{"my scene.pov", "--width=8", "--input=my other.POV", "--height=6", "other.POV"}));
+    here.write("b.ini", "--define a=1 -ss=2\n");
+    EXPECT_EQ(translate({"b.ini"}).words, (Words{"--define", "a=1", "--ss=2"}));
 }
 
 TEST(Ini, AFolderIsNoIniFile) {
