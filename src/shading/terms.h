@@ -11,10 +11,12 @@ namespace rt {
 
 // ---- D: normal distributions in 1/steradian, of the squares of cosine and sine of the half angle; alpha > 0 is the width, roughness^2 by
 // default and the rms slope m of Beckmann's. Widths above 1 are allowed; below `least_alpha` D is 0: the spike belongs to the mirror ray.
+// Above `greatest_alpha` it is 0, too: so little is left of it everywhere but at the horizon.
 
 enum class Distribution { blinn, blinn_inverse_roughness, beckmann, ggx, gaussian };
 
 inline constexpr double least_alpha = 1e-150;
+inline constexpr double greatest_alpha = 1e150;
 
 /// (n.h)^(2 exponent) / (pi alpha^2): Blinn 1977 by any power.
 inline double D_power(double cos2_h, double sin2_h, double alpha, double exponent) {
@@ -47,7 +49,7 @@ inline double D_gaussian(double cos2_h, double sin2_h, double alpha) {
 }
 
 inline double D(Distribution kind, double cos2_h, double sin2_h, double alpha) {
-    if (!(alpha >= least_alpha)) return 0.0;
+    if (!(alpha >= least_alpha && alpha <= greatest_alpha)) return 0.0;
     switch (kind) {
         case Distribution::blinn:
             return D_blinn(cos2_h, sin2_h, alpha);

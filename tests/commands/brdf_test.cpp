@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 
 #include "tests/commands/support.h"
@@ -175,6 +176,20 @@ TEST_F(Brdf, MistakesInATableAreNamedWithTheirPlace) {
     EXPECT_EQ(light.out, "");
     EXPECT_EQ(eval("nothing", "").err, "raytrace: brdf: no table 'nothing'; expected one of " + names + "\n");
     EXPECT_EQ(run({"brdf", "check", "gone/terms_D.csv"}).err, "raytrace: cannot open 'gone/terms_D.csv': No such file or directory\n");
+}
+
+/// Tables kept outside of the project; skipped, and said so, where they are missing.
+TEST(BrdfTables, EveryOneIsWithinItsTolerance) {
+    const std::string folder = PROJECT_ROOT "/../shared/golden/";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "not present: " << folder;
+    std::vector<std::string> words{"brdf", "check"};
+    for (const char* name : {"contract", "general_r", "seed0_effectsbrowser", "seed2_gooch", "seed3_phong_lights", "seed4_lecture",
+                             "terms_D", "terms_F", "terms_G"})
+        words.push_back(folder + name + ".csv");
+    const test::Workplace here;
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out.find("beyond:"), std::string::npos);
 }
 
 TEST_F(Brdf, WrongWordsSayWhatIsExpected) {
