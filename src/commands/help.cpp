@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "commands/commands.h"
+#include "commands/model_choices.h"
 #include "commands/suggest.h"
 #include "commands/text.h"
 #include "core/source.h"
@@ -63,25 +64,30 @@ folders of -L (Library_Path), in $RAYTRACE_LIBRARY_PATH and in POV-Ray's own.
 
 A scene may state its own choices in comments, which POV-Ray skips:
     //! raytrace: shading=povray precision=exact
-Keys: shading distances precision alpha. The command line wins.
+Keys: distances, precision and those of help shading; inside finish {} for that
+finish alone. The command line wins.
 --define NAME=VALUE declares a number or a string; --clock X sets clock.
 )";
 
-constexpr const char* shading_topic =
-    R"(--shading general   specular highlights are a microfacet lobe (D GGX, G Smith,
-                    F Schlick), energy shared with the diffuse term (default)
---shading povray    POV-Ray's own finish model, for tight comparison
-
---alpha MAPPING     roughness to the lobe's width:
-    roughness2      alpha = roughness^2 (default)
-    povray          the width that POV-Ray's exponent 1/roughness has
-    direct          alpha = roughness
---distances RULE    scaled: ray offsets from the error of the hit point;
-                    povray: its absolute 1e-4 and 1e7 (implied by its shading)
---precision KIND    fast: single-precision triangles, the hit refined in double;
-                    exact: double throughout, what a test of every object finds
---index KIND        automatic, embree or brute_force
+constexpr const char* shading_head =
+    R"(--shading povray is POV-Ray's own finish model; general (default) and others:
+r = ka + sum lc (n.l) [(1-s) kd rd + s D G F / (4 n.l n.v)] and its relatives.
+--alpha roughness2|povray|direct|X: width of the lobe from 'roughness', or X.
+--distances povray|scaled --precision fast|exact --index NAME. Names and the
+texts they come from (S0 demo S1 course S2 Gooch S3 lamps S4 lecture X none):
 )";
+constexpr const char* shading_foot =
+    R"(Numbers: --s --eta --k --f0 (one or R,G,B) --exponent --sigma --dw
+Variants of the texts: --fresnel-arg nv --half nv --norm ct1982|ct4m2 --raw on
+--blinn-power inverse-roughness --units physical --denominator clamped
+--ambient per-light --attenuate-ambient on --clamp after --phong-gate off
+--gooch as-printed. In a scene, for the file or inside one finish:
+    //! raytrace: D=beckmann alpha=0.2
+)";
+const std::string& shading_topic() {
+    static const std::string text = shading_head + catalogue_text() + shading_foot;
+    return text;
+}
 
 constexpr const char* sampling_topic =
     R"(Without any of these a pixel is one ray through its centre, as in POV-Ray.
@@ -138,7 +144,7 @@ constexpr const char* exit_topic =
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
-    {"povray", povray_topic}, {"scene", scene_topic},   {"shading", shading_topic}, {"sampling", sampling_topic},
+    {"povray", povray_topic}, {"scene", scene_topic},   {"shading", ""},      {"sampling", sampling_topic},
     {"output", output_topic}, {"course", course_topic}, {"exit", exit_topic},
 };
 
@@ -151,6 +157,7 @@ std::vector<std::string> help_topics() {
 }
 
 std::string_view help_topic(std::string_view topic) {
+    if (topic == "shading") return shading_topic();
     for (const auto& [name, text] : topics)
         if (name == topic) return text;
     return "";

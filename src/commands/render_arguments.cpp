@@ -114,14 +114,22 @@ void define_sampling(CommandLine& line, Draft& d) {
 }
 
 void define_shading(CommandLine& line, RenderJob& job) {
-    line.value("--shading", "NAME", "general (default) or povray",
-               [&](const std::string& v) { job.shading = value_of_name(shading_names, "shading", v); });
+    for (const ModelKey& key : model_keys()) {
+        const std::string name(key.key);
+        const std::string help = name == "shading" ? "general (default), povray, phong ...; see help shading" : std::string(key.help);
+        line.value("--" + name, std::string(key.values), help, [&job, name](const std::string& v) {
+            const bool povray = name == "shading" && v == "povray";
+            if (name == "shading") job.shading = povray ? ShadingModel::povray : ShadingModel::general;
+            if (povray) return;
+            ModelChoice scratch;
+            choose(scratch, name, v);
+            job.model.push_back({name, v});
+        });
+    }
     line.value("--distances", "NAME", "scaled (default) or povray",
                [&](const std::string& v) { job.distances = value_of_name(distances_names, "rule of distances", v); });
     line.value("--precision", "NAME", "fast or exact triangles",
                [&](const std::string& v) { job.precision = value_of_name(precision_names, "precision", v); });
-    line.value("--alpha", "NAME", "roughness2 (default), povray or direct",
-               [&](const std::string& v) { job.alpha = value_of_name(alpha_names, "alpha mapping", v); });
     line.value("--index", "NAME", "", [&](const std::string& v) { job.index = value_of_name(index_names, "index", v); });
     line.value("--profile", "NAME", "povray (default) or csc473, the course's camera",
                [&](const std::string& v) { job.profile = value_of_name(profile_names, "profile", v); });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/model_choices.h"
 #include "commands/output_name.h"
 #include "film/encode.h"
 #include "syntax/parser.h"
@@ -37,7 +38,8 @@ struct RenderJob {
     std::optional<ShadingModel> shading;
     std::optional<Distances> distances;  ///< unset: povray under the shading of that name, else scaled
     std::optional<Precision> precision;
-    std::optional<AlphaMapping> alpha;
+
+    std::vector<ModelOption> model;  ///< choices from the catalogue of shading, in order
 
     IndexKind index = IndexKind::automatic;
     Profile profile = Profile::povray;

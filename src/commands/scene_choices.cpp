@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <unordered_set>
-#include <utility>
 
 #include "commands/names.h"
 
@@ -12,48 +10,18 @@ namespace rt {
 
 namespace {
 
-class Chooser {
-public:
-    explicit Chooser(const Scene& scene) : scene_(scene) {}
-    SceneChoices choices;
+[[noreturn]] void fail(const Scene& scene, const SceneOption& option, std::string_view text) {
+    throw SceneError(scene.sources.describe(option.span, "Parse Error", text));
+}
 
-    void file_option(const SceneOption& option) {
-        if (option.key == "shading")
-            choose(option, shading_names, "shading", choices.shading);
-        else if (option.key == "distances")
-            choose(option, distances_names, "rule of distances", choices.distances);
-        else if (option.key == "precision")
-            choose(option, precision_names, "precision", choices.precision);
-        else if (option.key == "alpha")
-            choose(option, alpha_names, "alpha mapping", choices.alpha);
-        else
-            unavailable(option, "");  // the parser lets no unknown key pass
-    }
+template <typename T, std::size_t N>
+T value_of(const Scene& scene, const SceneOption& option, const NameTable<T, N>& table, std::string_view what) {
+    const std::optional<T> value = find_name(table, option.value);
+    if (!value) fail(scene, option, fmt::format("{}: {}", option.key, unknown_name_text(table, what, option.value)));
+    return *value;
+}
 
-    /// No choice of one finish is available yet.
-    void finish_option(const SceneOption& option) { unavailable(option, " inside finish"); }
-
-private:
-    const Scene& scene_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> places_;  ///< a finish may be used, and a line read, many times
-
-    template <typename T, std::size_t N>
-    void choose(const SceneOption& option, const NameTable<T, N>& table, std::string_view what, std::optional<T>& chosen) {
-        const std::optional<T> value = find_name(table, option.value);
-        if (!value) {
-            const std::string text = fmt::format("{}: {}", option.key, unknown_name_text(table, what, option.value));
-            throw SceneError(scene_.sources.describe(option.span, "Parse Error", text));
-        }
-        chosen = value;
-    }
-
-    void unavailable(const SceneOption& option, std::string_view where) {
-        if (places_.insert({option.span.file, option.span.begin}).second)
-            choices.unavailable.push_back({fmt::format("raytrace option '{}'{}", option.key, where), option.span});
-    }
-};
-
-/// Every option of every finish in `layers`, each texture once.
+/// The options of every finish in `layers`, each texture once.
 class FinishOptions {
 public:
     template <typename Use>
@@ -68,7 +36,7 @@ private:
     template <typename Use>
     void visit(const Texture& texture, const Use& use) {
         if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
-            for (const SceneOption& option : plain->finish.options) use(option);
+            if (!plain->finish.options.empty()) use(plain->finish.options);
             return;
         }
         for (const std::vector<Texture>& cell : std::get<CheckerTexture>(texture.content).cells)
@@ -76,32 +44,40 @@ private:
     }
 };
 
+void check_finish(const Scene& scene, const std::vector<SceneOption>& options) {
+    for (const SceneOption& option : options) {
+        if (!is_model_key(option.key)) fail(scene, option, fmt::format("'{}' is for the whole picture, not for one finish", option.key));
+        if (option.key == "shading" && option.value == "povray")
+            fail(scene, option, "shading: 'povray' is for the whole picture, not for one finish");
+    }
+    choice_for(scene, options, {});
+}
+
 }  // namespace
 
 SceneChoices choices_of(const Scene& scene) {
-    Chooser chooser(scene);
-    for (const SceneOption& option : scene.options) chooser.file_option(option);
-    FinishOptions finishes;
-    const auto use = [&](const SceneOption& option) { chooser.finish_option(option); };
-    for (const Object& object : scene.objects) {
-        if (object.texture) finishes.visit(*object.texture, use);
-        if (object.interior_texture) finishes.visit(*object.interior_texture, use);
+    SceneChoices choices;
+    for (const SceneOption& option : scene.options) {
+        if (option.key == "distances") choices.distances = value_of(scene, option, distances_names, "rule of distances");
+        if (option.key == "precision") choices.precision = value_of(scene, option, precision_names, "precision");
+        if (option.key == "shading") choices.shading = option.value == "povray" ? ShadingModel::povray : ShadingModel::general;
     }
-    return std::move(chooser.choices);
+    choice_for(scene, {}, {});
+    FinishOptions finishes;
+    const auto check = [&](const std::vector<SceneOption>& options) { check_finish(scene, options); };
+    for (const Object& object : scene.objects) {
+        if (object.texture) finishes.visit(*object.texture, check);
+        if (object.interior_texture) finishes.visit(*object.interior_texture, check);
+    }
+    return choices;
 }
 
-void apply_scene_choices(const Scene& scene, RenderJob& job, const MessageSink& messages) {
+void apply_scene_choices(const Scene& scene, RenderJob& job) {
     const SceneChoices choices = choices_of(scene);
-    for (const Unmodelled& option : choices.unavailable) {
-        const std::string text = option.feature + " is not available in this version";
-        if (!job.parse.lenient) throw SceneError(scene.sources.describe(option.span, "Parse Error", text));
-        messages(scene.sources.describe(option.span, "Parse Warning", text));
-    }
     // The command line wins.
     if (!job.shading) job.shading = choices.shading;
     if (!job.distances) job.distances = choices.distances;
     if (!job.precision) job.precision = choices.precision;
-    if (!job.alpha) job.alpha = choices.alpha;
 }
 
 }  // namespace rt

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "commands/render_job.h"
 #include "scene/scene.h"
@@ -13,16 +12,14 @@ struct SceneChoices {
     std::optional<ShadingModel> shading;
     std::optional<Distances> distances;
     std::optional<Precision> precision;
-    std::optional<AlphaMapping> alpha;
-    std::vector<Unmodelled> unavailable;  ///< known, but not selected in this version; each place once
 };
 
-/// What `scene` and the files it includes choose; the last statement of a key counts. Throws SceneError, with the place, for an unknown
-/// value.
+/// What `scene` and the files it includes choose for the whole picture; the last statement of a key counts. The choices from the shading
+/// catalogue, of the files and of every finish in use, are checked as well. Throws SceneError, with the place, for a value that does not
+/// exist or a choice that a finish cannot make.
 SceneChoices choices_of(const Scene& scene);
 
-/// Fills what the command line left open in `job` from the scene's own choices. Throws as choices_of() does, and for a choice that is not
-/// available; under `lenient` that one is a warning to `messages`.
-void apply_scene_choices(const Scene& scene, RenderJob& job, const MessageSink& messages);
+/// Fills what the command line left open in `job` from the scene's own choices. Throws as choices_of() does.
+void apply_scene_choices(const Scene& scene, RenderJob& job);
 
 }  // namespace rt

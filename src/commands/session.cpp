@@ -52,17 +52,16 @@ void fill_defaults(RenderJob& job) {
     if (!job.shading) job.shading = job.profile == Profile::csc473 ? ShadingModel::povray : ShadingModel::general;
     if (!job.distances) job.distances = *job.shading == ShadingModel::povray ? Distances::povray : Distances::scaled;
     if (!job.precision) job.precision = CompileOptions{}.precision;
-    if (!job.alpha) job.alpha = AlphaMapping::roughness2;
 }
 
-CompileOptions compile_options(const RenderJob& job) {
+CompileOptions compile_options(const RenderJob& job, const Scene& scene) {
     CompileOptions options;
     options.profile = job.profile;
     options.precision = *job.precision;
     options.index = job.index;
-    options.alpha = *job.alpha;
     options.threads = job.threads;
     options.general_shading = *job.shading == ShadingModel::general;
+    if (options.general_shading) options.choose = [&](const Finish& finish) { return choice_for(scene, finish.options, job.model); };
     return options;
 }
 
@@ -151,12 +150,14 @@ int run_session(RenderJob job) {
     {
         const Timed timed(stats.phases.parse);
         scene = parse_file(job.scene, job.parse, messages);
-        apply_scene_choices(scene, job, messages);
+        apply_scene_choices(scene, job);
         fill_defaults(job);
+        if (*job.shading == ShadingModel::povray && !job.model.empty())
+            messages(fmt::format("raytrace: note: --{} has no effect: the shading is POV-Ray's", job.model.front().key));
     }
     {
         const Timed timed(stats.phases.build);
-        world = compile(scene, compile_options(job), messages);
+        world = compile(scene, compile_options(job, scene), messages);
     }
     check_output(job, messages);
     const StopOnSignal signals;  // until the picture is written, so that no half file stays

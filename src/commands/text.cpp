@@ -90,10 +90,11 @@ Rgb plain_color(const Pigment& pigment) {
 std::string_view program_version() { return RAYTRACE_VERSION; }
 
 ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene) {
-    std::string options = fmt::format("size={}x{} profile={} shading={} distances={} precision={} alpha={} aa={} gamma={}", job.width,
-                                      job.height, name_of(profile_names, job.profile), name_of(shading_names, *job.shading),
-                                      name_of(distances_names, *job.distances), name_of(precision_names, *job.precision),
-                                      name_of(alpha_names, *job.alpha), sampling_text(job.sampling), gamma_text(scene.settings.gamma));
+    std::string options =
+        fmt::format("size={}x{} profile={} shading={} distances={} precision={} aa={} gamma={}", job.width, job.height,
+                    name_of(profile_names, job.profile), name_of(shading_names, *job.shading), name_of(distances_names, *job.distances),
+                    name_of(precision_names, *job.precision), sampling_text(job.sampling), gamma_text(scene.settings.gamma));
+    for (const ModelOption& option : job.model) options += fmt::format(" {}={}", option.key, option.value);
     if (job.povray_quality) options += fmt::format(" quality={}", *job.povray_quality);
     if (job.region) options += fmt::format(" crop={},{},{},{}", job.region->x0, job.region->x1, job.region->y0, job.region->y1);
     if (job.parse.clock != 0.0) options += fmt::format(" clock={}", job.parse.clock);

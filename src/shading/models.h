@@ -60,6 +60,12 @@ inline double phong(const Vec3& n, const Vec3& l, const Vec3& v, double p, bool 
     return cosine_power(dot(r, v), dot(sine, sine), p);
 }
 
+/// max(r.v^p, 0) as a text prints it: an even exponent lights the back, and where there is no power there is no light.
+inline double phong_clamped_after(const Vec3& n, const Vec3& l, const Vec3& v, double p) {
+    const double power = std::pow(std::min(1.0, dot(2.0 * dot(n, l) * n - l, v)), p);
+    return power > 0.0 ? power : 0.0;
+}
+
 /// Blinn's way to Phong's highlight: (n.h)^p, without n.l.
 inline double blinn_phong(const HalfGeometry& g, double p) { return std::exp(-0.5 * p * std::log1p(g.sin2_h / g.cos2_h)); }
 

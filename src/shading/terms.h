@@ -146,6 +146,7 @@ struct Interface {
     double eta = 1.5, k = 0.0;
     double f0 = 0.04;  ///< reflectance at normal incidence
     double f82 = 0.0;  ///< what schlick-f82 takes away, see below
+    bool operator==(const Interface&) const = default;
 };
 
 /// ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2), finite for the largest indices.
@@ -242,7 +243,8 @@ enum class Diffuse { lambert, oren_nayar, gooch, none };
 /// max(0, cos dphi) sin a tan b without an angle.
 struct OrenNayar {
     double A = 1.0, B = 0.0;
-    explicit OrenNayar(double sigma = 0.0) {
+    OrenNayar() = default;
+    explicit OrenNayar(double sigma) {
         const double s2 = sigma * sigma;
         A = 1.0 - 0.5 * s2 / (s2 + 0.33);
         B = 0.45 * s2 / (s2 + 0.09);

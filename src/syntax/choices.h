@@ -9,7 +9,21 @@
 namespace rt {
 
 /// Every key that a choice may have. Values, and which keys this version selects, are the business of whoever uses them.
-inline constexpr std::array<std::string_view, 8> choice_keys{"shading", "distances", "precision", "alpha", "D", "G", "F", "diffuse"};
+inline constexpr std::array<std::string_view, 29> choice_keys{"shading",     "distances",
+                                                              "precision",   "preset",
+                                                              "material",    "diffuse",
+                                                              "D",           "G",
+                                                              "F",           "alpha",
+                                                              "s",           "eta",
+                                                              "k",           "f0",
+                                                              "exponent",    "sigma",
+                                                              "fresnel-arg", "half",
+                                                              "norm",        "blinn-power",
+                                                              "units",       "dw",
+                                                              "denominator", "raw",
+                                                              "ambient",     "attenuate-ambient",
+                                                              "clamp",       "phong-gate",
+                                                              "gooch"};
 
 /// Takes a directive comment that comes next and adds its choices to `options`; false if none comes next.
 /// Fails at the first word that is no key=value or has an unknown key.

@@ -12,7 +12,7 @@ bool is_dark(const Rgb& light) { return std::fabs(light.r) < 1e-10 && std::fabs(
 
 Lighting::Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules)
     : world_(world),
-      general_(options.shading == ShadingModel::general && world.features.general_specular),
+      general_(options.shading == ShadingModel::general && world.features.catalogue),
       cast_shadows_(options.quality.shadows),
       shadows_(world, rules, options) {
     for (const Light& light : world.lights) sources_.emplace_back(light);
@@ -21,28 +21,33 @@ Lighting::Lighting(const World& world, const TraceOptions& options, const Distan
 Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                               RayNode* log) const {
     View view{.at = at, .layers = layers, .inside = inside, .both_sides = world_.objects[at.object].double_illuminate, .log = log};
-    bool microfacets = false;
+    bool inclined = false;
     for (const ActiveLayer& layer : layers) {
         const Finish& finish = layer.finish->finish;
         view.any_diffuse |= finish.diffuse > 0.0 && layer.opacity != 0.0;
         view.back_diffuse |= finish.diffuse_back > 0.0;
         view.any_highlight |= finish.phong > 0.0 || finish.specular > 0.0;
-        microfacets |= layer.finish->s != 0.0;
+        if (!general_) continue;
+        const SurfaceModel& model = layer.finish->model;
+        view.any_highlight |= model.s != 0.0;
+        view.from_behind |= model.diffuse == Diffuse::gooch || model.ambient_per_light || !model.phong_gate;
+        inclined |= model.s != 0.0 || model.diffuse == Diffuse::oren_nayar;
     }
     if (view.any_highlight) view.mirrored = reflect(at.direction, at.normal);
-    if (microfacets && general_) view.incline_v = incline(at.normal, -at.direction);
+    if (inclined) view.incline_v = incline(at.normal, -at.direction);
     return view;
 }
 
 void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                       LocalLight& result, RayNode* log) {
     const View shared = view(at, layers, inside, log);
-    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse) return;
+    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.from_behind) return;
     for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
 }
 
 /// Can light from this side contribute anything?
 bool Lighting::is_seen(const View& view, double n_dot_l, bool shadowless) const {
+    if (view.from_behind) return !std::isnan(n_dot_l);
     if (n_dot_l >= facing_cosine || view.both_sides) return view.any_diffuse || (view.any_highlight && !shadowless);
     return view.back_diffuse && !std::isnan(n_dot_l);
 }
@@ -56,7 +61,9 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
     if (!illuminates_by_area && !is_seen(view, n_dot_l, light.shadowless)) return;
 
     Rgb arriving = light.color;
-    if (!illuminates_by_area) arriving *= source.attenuation(at.point, ray);
+    const double attenuation = illuminates_by_area ? 1.0 : source.attenuation(at.point, ray);
+    arriving *= attenuation;
+    if (view.from_behind) unshadowed(view, n_dot_l, light.color, attenuation, result);
     if (is_dark(arriving)) return;
     if (cast_shadows_ && !light.shadowless) {
         if (source.area() != nullptr) {
@@ -98,9 +105,46 @@ void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& l
         const Finish& finish = layer.finish->finish;
         const Rgb arriving = layer.above * light;
         double diffuse = std::fmax(0.0, front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
-        if (general_) diffuse *= 1.0 - layer.finish->s;
+        if (general_) diffuse *= diffuse_term(view, layer.finish->model, l, cos);
         if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
-        if (front && !shadowless && view.any_highlight) result.specular += arriving * highlights(view, layer, l, n_dot_l);
+        const bool lit = front || (general_ && !layer.finish->model.phong_gate);
+        if (lit && !shadowless && view.any_highlight) result.specular += arriving * highlights(view, layer, l, n_dot_l);
+    }
+}
+
+/// rd and the share of the light that the highlight leaves to it.
+double Lighting::diffuse_term(const View& view, const SurfaceModel& model, const Vec3& l, double n_dot_l) const {
+    const double share = model.shares ? 1.0 - model.s : 1.0;
+    switch (model.diffuse) {
+        case Diffuse::lambert:
+            return share;
+        case Diffuse::oren_nayar: {
+            const double n_dot_v = view.incline_v.cos;
+            return n_dot_v > 0.0 && n_dot_l > 0.0 ? share * model.oren_nayar(n_dot_l, n_dot_v, -dot(l, view.at.direction)) : 0.0;
+        }
+        case Diffuse::gooch:  // has no shadow
+        case Diffuse::none:
+            break;
+    }
+    return 0.0;
+}
+
+/// What a lamp adds whether or not its light arrives: Gooch's tones, averaged over the lamps, and ambient light by the lamp.
+void Lighting::unshadowed(const View& view, double n_dot_l, const Rgb& light, double attenuation, LocalLight& result) const {
+    for (const ActiveLayer& layer : view.layers) {
+        const SurfaceModel& model = layer.finish->model;
+        const Rgb through = layer.above * layer.opacity;
+        if (model.diffuse == Diffuse::gooch) {
+            const GoochTones& tones = model.gooch;
+            const Rgb kd = layer.finish->finish.diffuse * layer.color.rgb;
+            const Rgb cool = tones.cool + tones.cool_share * kd, warm = tones.warm + tones.warm_share * kd;
+            const double x = std::clamp(0.5 * (1.0 + (tones.as_printed ? -n_dot_l : n_dot_l)), 0.0, 1.0);
+            result.diffuse += through * (x * warm + (1.0 - x) * cool) / static_cast<double>(sources_.size());
+        }
+        if (model.ambient_per_light) {
+            const double left = model.attenuate_ambient ? attenuation : 1.0;
+            result.ambient += left * through * light * layer.color.rgb * layer.finish->finish.ambient;
+        }
     }
 }
 
@@ -116,19 +160,20 @@ Rgb Lighting::highlights(const View& view, const ActiveLayer& layer, const Vec3&
     }
     Rgb sum(lobes);
     if (lobes != 0.0 && finish.metallic > 0.0) sum *= metallic_tint(layer.color.rgb, finish.metallic, std::fabs(n_dot_l));
-    if (general_ && layer.finish->s != 0.0) sum += microfacet(view, layer, l);
+    if (general_ && layer.finish->model.s != 0.0) sum += catalogue_highlight(view, layer, l);
     return sum;
 }
 
-Rgb Lighting::microfacet(const View& view, const ActiveLayer& layer, const Vec3& l) const {
-    const MicrofacetTerms terms;
+Rgb Lighting::catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const {
+    const SurfaceModel& model = layer.finish->model;
+    const Vec3 v = -view.at.direction;
     HalfGeometry g;
-    if (!half_geometry(view.at.normal, l, -view.at.direction, view.incline_v, g)) return Rgb(0.0);
-    const double lobe = layer.finish->s * microfacet_lobe(terms, g, layer.finish->alpha);
+    const bool above = half_geometry(view.at.normal, l, v, view.incline_v, g);
+    if (!above && model.specular != SurfaceModel::Specular::phong) return Rgb(0.0);
+    if (model.terms.half_of_normal_and_view) halve_normal_and_view(view.at.normal, v, g);
     const double metallic = layer.finish->finish.metallic;
-    if (!(metallic > 0.0)) return Rgb(lobe * F_schlick(layer.finish->f0, g.v_dot_h));
-    const Rgb f0 = layer.finish->f0 * (Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0)));
-    return lobe * Rgb(F_schlick(f0.r, g.v_dot_h), F_schlick(f0.g, g.v_dot_h), F_schlick(f0.b, g.v_dot_h));
+    const Rgb tint = metallic > 0.0 ? Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0)) : Rgb(1.0);
+    return model.s * highlight(model, view.at.normal, l, v, g, tint);
 }
 
 }  // namespace rt

@@ -1,7 +1,6 @@
 // What the lights do at one surface point: POV-Ray's finish, or the general microfacet form.
 #pragma once
 
-#include "shading/models.h"
 #include "trace/shadow.h"
 
 namespace rt {
@@ -20,9 +19,9 @@ struct LocalLight {
     Rgb sum() const { return ambient + diffuse + specular; }
 };
 
-/// `--shading general`: per light (1-s) diffuse pigment (n.l)^brilliance + s (n.l) D G F / (4 n.l n.v), s the finish's specular in 0..1.
-/// `metallic m` tints the reflectance at normal incidence, F0 (1 + m (pigment - 1)), so that the tint fades towards grazing as it does in
-/// POV-Ray. Phong highlights and everything else are POV-Ray's in both models.
+/// `--shading general`: per light (1-s) diffuse pigment (n.l)^brilliance rd + s (n.l) D G F / (4 n.l n.v), s the finish's specular in 0..1,
+/// or what else the finish chose of the catalogue. `metallic m` tints the reflectance at normal incidence, F0 (1 + m (pigment - 1)), so that
+/// the tint fades towards grazing as it does in POV-Ray. Phong highlights by `phong` and everything else are POV-Ray's in all models.
 class Lighting {
 public:
     Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules);
@@ -30,6 +29,9 @@ public:
     /// Adds what every light contributes to `result`. `inside`: interiors that the viewing ray is in. `log` may be null.
     void direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, LocalLight& result,
                 RayNode* log);
+
+    /// Whether this finish has its ambient light from every lamp, and direct() adds it.
+    bool ambient_per_light(const SurfaceFinish& finish) const { return general_ && finish.model.ambient_per_light; }
 
     std::uint64_t shadow_rays() const { return shadows_.rays; }
 
@@ -43,6 +45,7 @@ private:
         bool back_diffuse = false;
         bool any_diffuse = false;
         bool any_highlight = false;
+        bool from_behind = false;  ///< some layer wants lamps on the far side too
         Vec3 mirrored{0.0};
         Incline incline_v{};
         RayNode* log = nullptr;
@@ -53,7 +56,9 @@ private:
     void area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const;
     void add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const;
     Rgb highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
-    Rgb microfacet(const View& view, const ActiveLayer& layer, const Vec3& l) const;
+    Rgb catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const;
+    double diffuse_term(const View& view, const SurfaceModel& model, const Vec3& l, double n_dot_l) const;
+    void unshadowed(const View& view, double n_dot_l, const Rgb& light, double attenuation, LocalLight& result) const;
 
     const World& world_;
     bool general_;

@@ -181,6 +181,7 @@ Rgb Recursion::local_light(const Surface& surface) {
     LocalLight light;
     for (const ActiveLayer& layer : layers) {
         const Finish& finish = layer.finish->finish;
+        if (lighting_.ambient_per_light(*layer.finish)) continue;
         light.ambient += layer.above * layer.color.rgb * layer.opacity * (finish.ambient * world_.ambient_light + finish.emission);
     }
     RayNode* record = node(surface.node);

@@ -1,6 +1,9 @@
 // Scene -> World: the one place where what was written becomes what is shaded.
 #pragma once
 
+#include <functional>
+
+#include "world/model_choice.h"
 #include "world/world.h"
 
 namespace rt {
@@ -9,19 +12,14 @@ enum class Profile { povray, csc473 };
 /// fast: Embree's own triangles, the hit refined in double. exact: double callbacks, bit for bit what brute force finds.
 enum class Precision { fast, exact };
 enum class IndexKind { automatic, embree, brute_force };
-/// How a finish's roughness becomes the microfacet alpha.
-enum class AlphaMapping {
-    roughness2,  ///< alpha = roughness^2
-    povray,      ///< sqrt(2 / (1/roughness + 2)), the width of POV-Ray's exponent
-    direct,      ///< alpha = roughness
-};
-
 struct CompileOptions {
     Profile profile = Profile::povray;
     Precision precision = Precision::exact;
     IndexKind index = IndexKind::automatic;
     AlphaMapping alpha = AlphaMapping::roughness2;
     int threads = 0;              ///< for building the index; 0: all cores
+    /// What the finish of this place chooses of the catalogue; nothing: the general form with GGX, Smith and Schlick.
+    std::function<ModelChoice(const Finish&)> choose;
     bool general_shading = true;  ///< warn of what only the general form's shading cannot take as it is
 };
 

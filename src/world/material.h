@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "shading/surface_model.h"
 
 namespace rt {
 
@@ -15,9 +16,7 @@ struct SurfaceFinish {
     double specular_exponent = 20;  ///< POV-Ray's 1/roughness; 0 for roughness 0
     bool reflects = false;          ///< some channel of reflection min or max differs from 0
     // The general form: r = ambient + sum lc [(1-s) diffuse pigment (n.l)^brilliance + s (n.l) D G F / (4 n.l n.v)].
-    double s = 0.0;      ///< specular clamped to 0..1
-    double alpha = 0.3;  ///< microfacet roughness
-    double f0 = 0.04;    ///< ((eta-1)/(eta+1))^2
+    SurfaceModel model;
 };
 
 /// One layer at one point: its colour there and its finish.

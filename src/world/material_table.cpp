@@ -82,21 +82,6 @@ std::uint32_t add_pigment(const Pigment& pigment, std::vector<PigmentNode>& tree
     return at;
 }
 
-double mapped_alpha(const std::optional<double>& roughness, AlphaMapping mapping) {
-    constexpr double default_roughness = 0.05;
-    if (!roughness) mapping = AlphaMapping::povray;
-    const double r = std::fmax(0.0, roughness.value_or(default_roughness));
-    switch (mapping) {
-        case AlphaMapping::roughness2:
-            return r * r;
-        case AlphaMapping::povray:
-            return std::sqrt(2.0 / (1.0 / r + 2.0));
-        case AlphaMapping::direct:
-            return r;
-    }
-    return r;
-}
-
 bool transmits(const PigmentColor& c) { return std::fabs(c.filter) > 1e-10 || std::fabs(c.transmit) > 1e-10; }
 
 bool can_transmit(const std::vector<LayerNode>& layers) {
@@ -122,10 +107,16 @@ SurfaceFinish MaterialTable::make_finish(const Finish& finish, double ior, const
     const double roughness = finish.roughness.value_or(0.05);
     surface.specular_exponent = roughness == 0.0 ? 0.0 : 1.0 / roughness;
     surface.reflects = finish.reflection.min != Rgb(0.0) || finish.reflection.max != Rgb(0.0);
-    surface.s = std::fmin(std::fmax(finish.specular, 0.0), 1.0);
-    surface.alpha = mapped_alpha(finish.roughness, options_.alpha);
-    surface.f0 = sqr((ior - 1.0) / (ior + 1.0));
-    if (surface.s != finish.specular && options_.general_shading && !warned_specular_) {
+    surface.model = fill(options_.choose ? options_.choose(finish) : ModelChoice{}, finish, ior, options_.alpha);
+    if (surface.model.lecture)
+        surface.finish.diffuse = surface.finish.diffuse_back = lecture_diffuse(grey(finish.ambient), surface.model.s);
+    if (surface.model.alpha > 1.0 && surface.model.s > 0.0 && options_.general_shading && !warned_alpha_) {
+        warned_alpha_ = true;
+        warn_(scene_.sources.describe(
+            span, "Warning",
+            fmt::format("The microfacet alpha is {:.3g}, wider than 1, here and maybe in further finishes.", surface.model.alpha)));
+    }
+    if ((finish.specular < 0.0 || finish.specular > 1.0) && options_.general_shading && !warned_specular_) {
         warned_specular_ = true;
         warn_(scene_.sources.describe(
             span, "Warning",

@@ -42,7 +42,7 @@ private:
     std::unordered_map<const void*, std::size_t> hashes_;  ///< of the layers that are more than one pigment
     std::size_t max_nodes_;
     std::size_t nodes_ = 0;
-    bool warned_specular_ = false;
+    bool warned_specular_ = false, warned_alpha_ = false;
 };
 
 /// The interior of an object with the legacy keywords of its finish merged in.

@@ -19,7 +19,7 @@ protected:
 };
 
 TEST_F(ChoicesInScenes, BadOnesAreTheSameErrorForEveryCommand) {
-    for (const char* comment : {"//! raytrace: shading=phong", "//! raytrace: shadng=povray", "//! raytrace: precision",
+    for (const char* comment : {"//! raytrace: shading=phongg", "//! raytrace: shadng=povray", "//! raytrace: precision",
                                 "//! raytrace: alpha=direct distances=far"}) {
         state(comment);
         const Outcome rendered = render();
@@ -46,31 +46,30 @@ TEST_F(ChoicesInScenes, IncludedFilesAreCheckedToo) {
     EXPECT_EQ(needs.err, rendered.err);
 }
 
-TEST_F(ChoicesInScenes, RequiresListsWhatRenderDoesNotSelect) {
-    state("//! raytrace: precision=exact D=beckmann\nsphere { 0, 1 finish { //! raytrace: G=smith\n } }");
-    EXPECT_EQ(render().status, 1);
-    const Outcome needs = run({"requires", "c.pov"});
-    EXPECT_EQ(needs.status, 0) << needs.err;
-    EXPECT_NE(needs.out.find("  not modelled:\n"
-                             "    c.pov:6:31: raytrace option 'D'\n"
-                             "    c.pov:7:38: raytrace option 'G' inside finish\n"),
-              std::string::npos)
-        << needs.out;
+TEST_F(ChoicesInScenes, OfAFileAFinishAndTheCommandLineReplaceEachOther) {
+    const std::string shiny = "sphere { 0, 1 pigment { rgb 1 } finish { specular 1 roughness 0.5 ";
+    const auto picture = [&](const std::string& file_choice, const std::string& finish_choice, std::vector<std::string> options) {
+        here.write("c.pov",
+                   "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z } light_source { <2, 3, -4> rgb 1 }\n" +
+                       file_choice + "\n" + shiny + finish_choice + "\n} }\n");
+        options.insert(options.begin(), {"c.pov", "--size=24x18", "-q", "-o", "c.ppm"});
+        EXPECT_EQ(run(options).status, 0);
+        return here.read("c.ppm");  // a format without texts
+    };
+    const auto same = [&](const std::string& a, const std::string& b) { return a == b; };
+    const std::string plain = picture("", "", {}), beckmann = picture("", "", {"--D", "beckmann"});
+    EXPECT_FALSE(same(plain, beckmann));
+    EXPECT_TRUE(same(picture("//! raytrace: D=beckmann", "", {}), beckmann));
+    EXPECT_TRUE(same(picture("", "//! raytrace: D=beckmann", {}), beckmann));
+    EXPECT_TRUE(same(picture("//! raytrace: D=blinn", "//! raytrace: D=beckmann", {}), beckmann)) << "the finish over the file";
+    EXPECT_TRUE(same(picture("", "//! raytrace: D=blinn", {"--D", "beckmann"}), beckmann)) << "the command line over all";
+    EXPECT_TRUE(same(picture("", "", {"--D", "beckmann", "--preset", "modern"}), beckmann)) << "presets first, whatever the order";
 }
 
-TEST_F(ChoicesInScenes, OfAFinishAreNamedOnceHoweverOftenItIsUsed) {
-    state("#declare F = finish { //! raytrace: alpha=direct\n }\nsphere { 0, 1 finish { F } }\nsphere { 1, 1 finish { F } }");
-    const Outcome strict = render();
-    EXPECT_EQ(strict.status, 1);
-    EXPECT_EQ(strict.err.find("File 'c.pov' line 6: Parse Error: raytrace option 'alpha' inside finish is not available in this version\n"),
-              0u)
-        << strict.err;
-    const Outcome lenient = run({"c.pov", "--size=8x6", "--lenient"});
-    EXPECT_EQ(lenient.status, 0);
-    const std::string words = "Parse Warning: raytrace option 'alpha' inside finish is not available in this version";
-    const std::size_t first = lenient.err.find(words);
-    ASSERT_NE(first, std::string::npos) << lenient.err;
-    EXPECT_EQ(lenient.err.find(words, first + 1), std::string::npos) << lenient.err;
+TEST_F(ChoicesInScenes, UnderPovRaysShadingTheCatalogueIsSaidToHaveNoEffect) {
+    state("");
+    EXPECT_EQ(run({"c.pov", "--size=8x6", "--shading", "povray", "--D", "beckmann"}).err,
+              "raytrace: note: --D has no effect: the shading is POV-Ray's\n");
 }
 
 }  // namespace

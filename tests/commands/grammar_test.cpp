@@ -52,7 +52,7 @@ std::string summary(const RenderJob& job) {
     if (job.shading) text += fmt::format(" shading={}", name_of(shading_names, *job.shading));
     if (job.distances) text += fmt::format(" distances={}", name_of(distances_names, *job.distances));
     if (job.precision) text += fmt::format(" precision={}", name_of(precision_names, *job.precision));
-    if (job.alpha) text += fmt::format(" alpha={}", name_of(alpha_names, *job.alpha));
+    for (const ModelOption& option : job.model) text += fmt::format(" {}={}", option.key, option.value);
     add(job.index != IndexKind::automatic, fmt::format("index={}", name_of(index_names, job.index)));
     add(job.profile != Profile::povray, fmt::format("profile={}", name_of(profile_names, job.profile)));
     add(job.file_gamma.kind != Curve::Kind::srgb, fmt::format("gamma={}", job.file_gamma.power));
@@ -193,11 +193,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"a.pov", "+Wabc"}, "width: 'abc' is no number"}, Mistake{{"a.pov", "+W1e999"}, "width: '1e999' is no number"},
         Mistake{{"a.pov", "+Wnan"}, "width: 'nan' is no number"}, Mistake{{"a.pov", "--width"}, "option '--width' needs a value"},
         Mistake{{"a.pov", "--size=64"}, "size: expected WIDTHxHEIGHT, not '64'"},
-        Mistake{{"a.pov", "--shading", "phong"}, "'phong' is no shading; expected one of general, povray"},
+        Mistake{{"a.pov", "--shading", "gouraud"},
+                "shading: 'gouraud' is unknown; expected one of povray, general, cook-torrance, phong, blinn-phong, ct-effects, "
+                "ct-effects-linear, lecture, none"},
         Mistake{{"a.pov", "--distances=far"}, "'far' is no rule of distances; expected one of scaled, povray"},
         Mistake{{"a.pov", "--precision=half"}, "'half' is no precision; expected one of fast, exact"},
         Mistake{{"a.pov", "--index=kd"}, "'kd' is no index; expected one of automatic, embree, brute_force"},
-        Mistake{{"a.pov", "--alpha=1"}, "'1' is no alpha mapping; expected one of roughness2, povray, direct"},
+        Mistake{{"a.pov", "--alpha=wide"}, "alpha: 'wide' is unknown; expected roughness2, povray, direct or a number"},
+        Mistake{{"a.pov", "--alpha=-1"}, "alpha: -1 is outside 0 to 1000000"},
         Mistake{{"a.pov", "--profile=x"}, "'x' is no profile; expected one of povray, csc473"},
         Mistake{{"a.pov", "--format=gif"}, "'gif' is no picture format; expected one of png, exr, hdr, tiff, jpeg, ppm, tga, bmp"},
         Mistake{{"a.pov", "+FX"},

@@ -131,7 +131,6 @@ class Choices : public testing::Test {
 protected:
     Scene scene;
     RenderJob job;
-    std::vector<std::string> warnings;
 
     /// A scene whose whole text is one comment; each option stands at its own word.
     void state(const std::string& text, const std::vector<std::pair<std::string, std::string>>& options) {
@@ -142,9 +141,7 @@ protected:
         const std::size_t at = text.find(word);
         return {0, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + word.size())};
     }
-    void apply() {
-        apply_scene_choices(scene, job, [this](std::string_view text) { warnings.emplace_back(text); });
-    }
+    void apply() { apply_scene_choices(scene, job); }
     std::string error() {
         try {
             apply();
@@ -156,13 +153,12 @@ protected:
 };
 
 TEST_F(Choices, AreDefaultsOfTheFile) {
-    state("//! raytrace: shading=povray distances=scaled precision=fast alpha=direct",
-          {{"shading", "povray"}, {"distances", "scaled"}, {"precision", "fast"}, {"alpha", "direct"}});
+    state("//! raytrace: shading=povray distances=scaled precision=fast",
+          {{"shading", "povray"}, {"distances", "scaled"}, {"precision", "fast"}});
     apply();
     EXPECT_EQ(job.shading, ShadingModel::povray);
     EXPECT_EQ(job.distances, Distances::scaled);
     EXPECT_EQ(job.precision, Precision::fast);
-    EXPECT_EQ(job.alpha, AlphaMapping::direct);
 }
 
 TEST_F(Choices, TheCommandLineWins) {
@@ -173,28 +169,37 @@ TEST_F(Choices, TheCommandLineWins) {
 }
 
 TEST_F(Choices, WrongValuesAreNamedWithTheirPlace) {
-    state("//! raytrace: shading=phong", {{"shading", "phong"}});
+    state("//! raytrace: shading=phongg", {{"shading", "phongg"}});
     EXPECT_EQ(error(),
-              "File 'a.pov' line 1: Parse Error: shading: 'phong' is no shading; expected one of general, povray\n"
-              "   1 | //! raytrace: shading=phong\n"
-              "     |               ^^^^^^^^^^^^^");
+              "File 'a.pov' line 1: Parse Error: shading: 'phongg' is unknown; expected one of povray, general, cook-torrance, phong, "
+              "blinn-phong, ct-effects, ct-effects-linear, lecture, none\n"
+              "   1 | //! raytrace: shading=phongg\n"
+              "     |               ^^^^^^^^^^^^^^");
 }
 
-TEST_F(Choices, LaterOnesAreErrorsOrWarnings) {
-    state("//! raytrace: D=beckmann", {{"D", "beckmann"}});
-    EXPECT_NE(error().find("raytrace option 'D' is not available in this version"), std::string::npos);
-    job.parse.lenient = true;
-    apply();
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0].find("File 'a.pov' line 1: Parse Warning: raytrace option 'D' is not available"), 0u);
-}
-
-TEST_F(Choices, AFinishHasNoneYet) {
-    state("finish { //! raytrace: alpha=direct", {});
-    PlainTexture texture;
-    texture.finish.options.push_back({"alpha", "direct", span_of("finish { //! raytrace: alpha=direct", "alpha=direct")});
-    scene.objects.push_back(object(Sphere{}, std::vector<Texture>{Texture{texture}}));
-    EXPECT_NE(error().find("raytrace option 'alpha' inside finish is not available in this version"), std::string::npos);
+TEST_F(Choices, OfAFinishAreCheckedWithTheirPlace) {
+    const auto finish = [&](const std::string& key, const std::string& value) {
+        const std::string text = "finish { //! raytrace: " + key + "=" + value;
+        scene = Scene();
+        state(text, {});
+        PlainTexture texture;
+        texture.finish.options.push_back({key, value, span_of(text, key + "=" + value)});
+        scene.objects.push_back(object(Sphere{}, std::vector<Texture>{Texture{texture}}));
+        return error().substr(0, error().find('\n'));
+    };
+    const std::string place = "File 'a.pov' line 1: Parse Error: ";
+    EXPECT_EQ(finish("alpha", "direct"), "accepted");
+    EXPECT_EQ(finish("shading", "phong"), "accepted");
+    EXPECT_EQ(finish("G", "smith"), place +
+                                        "G: 'smith' is unknown; expected one of ggx, ggx-hc, cook-torrance, beckmann, beckmann-hc, "
+                                        "beckmann-rational, none");
+    EXPECT_EQ(finish("k", "-1"), place + "k: -1 is less than 0");
+    EXPECT_EQ(finish("eta", "0"), place + "eta: 0 is less than 1e-300");
+    EXPECT_EQ(finish("eta", "1,2"), place + "eta: expected one number or three, not '1,2'");
+    EXPECT_EQ(finish("alpha", "nan"), place + "alpha: 'nan' is unknown; expected roughness2, povray, direct or a number");
+    EXPECT_EQ(finish("s", "1.5"), place + "s: 1.5 is outside 0 to 1");
+    EXPECT_EQ(finish("precision", "fast"), place + "'precision' is for the whole picture, not for one finish");
+    EXPECT_EQ(finish("shading", "povray"), place + "shading: 'povray' is for the whole picture, not for one finish");
 }
 
 TEST(Metadata, NamesProgramSceneAndOptionsButNotTheMachine) {
@@ -203,7 +208,7 @@ TEST(Metadata, NamesProgramSceneAndOptionsButNotTheMachine) {
     job.shading = ShadingModel::povray;
     job.distances = Distances::povray;
     job.precision = Precision::exact;
-    job.alpha = AlphaMapping::direct;
+    job.model = {{"alpha", "direct"}};
     job.region = Region{1, 2, 3, 4};
     job.threads = 7;
     const ImageMetadata metadata = picture_metadata(job, Scene());
@@ -212,7 +217,7 @@ TEST(Metadata, NamesProgramSceneAndOptionsButNotTheMachine) {
     EXPECT_EQ(metadata.text[0].second.find("raytrace "), 0u);
     EXPECT_EQ(metadata.text[1], (std::pair<std::string, std::string>{"Scene", "a.pov"}));
     EXPECT_EQ(metadata.text[2].second,
-              "size=800x600 profile=povray shading=povray distances=povray precision=exact alpha=direct aa=none gamma=none crop=1,3,2,4");
+              "size=800x600 profile=povray shading=povray distances=povray precision=exact aa=none gamma=none alpha=direct crop=1,3,2,4");
     RenderJob other = job;
     other.threads = 1;
     EXPECT_EQ(picture_metadata(other, Scene()).text, metadata.text);

@@ -36,7 +36,7 @@ TEST(Compile, EmptySceneHasNoFeaturesAndNoHits) {
     EXPECT_FALSE(world.occluded({{}, {0, 0, 1}}, {}));
     const Features& f = world.features;
     EXPECT_FALSE(f.transmits || f.refracts || f.reflects || f.fades || f.patterns || f.layers || f.area_lights || f.visibility_flags ||
-                 f.general_specular);
+                 f.catalogue);
     EXPECT_EQ(world.scene_extent, 0.0);
 }
 
@@ -74,7 +74,7 @@ TEST(Compile, FeaturesNameWhatTheSceneHas) {
     scene.objects = {with_color(Sphere{}, opaque, mirror)};
     scene.objects[0].no_image = true;
     const Features f = compiled(scene).features;
-    EXPECT_TRUE(f.reflects && f.general_specular && f.visibility_flags);
+    EXPECT_TRUE(f.reflects && f.catalogue && f.visibility_flags);
     EXPECT_FALSE(f.transmits || f.refracts || f.fades || f.patterns || f.layers);
 
     Interior water;  // an opaque object with an interior refracts nothing

@@ -120,7 +120,7 @@ TEST(Finish, RoughnessBecomesAlpha) {
         finish.roughness = roughness;
         CompileOptions options;
         options.alpha = mapping;
-        return finish_of(compiled({textured({plain(solid(red), finish)})}, options)).alpha;
+        return finish_of(compiled({textured({plain(solid(red), finish)})}, options)).model.alpha;
     };
     EXPECT_DOUBLE_EQ(alpha(0.5, AlphaMapping::roughness2), 0.25);
     EXPECT_DOUBLE_EQ(alpha(0.5, AlphaMapping::direct), 0.5);
@@ -140,7 +140,7 @@ TEST(Finish, NormalReflectanceComesFromTheStatedIor) {
             interior.ior = interior_ior;
             object.interior = Shared<Interior>(interior);
         }
-        return finish_of(compiled({object})).f0;
+        return finish_of(compiled({object})).model.interface[0].f0;
     };
     EXPECT_DOUBLE_EQ(f0({}, {}), 0.04);
     EXPECT_DOUBLE_EQ(f0(2.0, {}), 1.0 / 9.0);
@@ -157,9 +157,9 @@ TEST(Finish, SpecularBeyondOneIsClampedWithOneWarning) {
     objects.push_back(textured({plain(solid(green), finish)}));
     std::vector<std::string> messages;
     const World world = compiled(objects, {}, &messages);
-    EXPECT_EQ(finish_of(world).s, 1.0);
+    EXPECT_EQ(finish_of(world).model.s, 1.0);
     EXPECT_EQ(finish_of(world).finish.specular, 2.5);
-    EXPECT_EQ(world.materials[1].layers[0].finish.s, 0.0);
+    EXPECT_EQ(world.materials[1].layers[0].finish.model.s, 0.0);
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_THAT(messages[0], HasSubstr("specular"));
     CompileOptions other_shading;

@@ -1,0 +1,43 @@
+#include "world/model_choice.h"
+
+namespace rt {
+
+namespace {
+
+double mapped_alpha(const std::optional<double>& roughness, AlphaMapping mapping) {
+    constexpr double default_roughness = 0.05;
+    if (!roughness) mapping = AlphaMapping::povray;
+    const double r = std::fmax(0.0, roughness.value_or(default_roughness));
+    switch (mapping) {
+        case AlphaMapping::roughness2:
+            return r * r;
+        case AlphaMapping::povray:
+            return std::sqrt(2.0 / (1.0 / r + 2.0));
+        case AlphaMapping::direct:
+            return r;
+    }
+    return r;
+}
+
+/// Stated indices win over a stated reflectance, and that over the object's index.
+Interface interface_for(const ModelChoice& choice, double ior, int channel) {
+    if (choice.eta || choice.k) return interface_of(choice.eta ? (*choice.eta)[channel] : ior, choice.k ? (*choice.k)[channel] : 0.0);
+    if (choice.f0) return interface_of_f0((*choice.f0)[channel]);
+    return interface_of(ior);
+}
+
+}  // namespace
+
+SurfaceModel fill(const ModelChoice& choice, const Finish& finish, double ior, AlphaMapping mapping) {
+    SurfaceModel model = choice.model;
+    model.s = choice.s.value_or(std::fmin(std::fmax(finish.specular, 0.0), 1.0));
+    model.alpha = choice.alpha.value_or(mapped_alpha(finish.roughness, choice.mapping.value_or(mapping)));
+    // Where no exponent is stated, the one whose highlight is as wide: 2 / roughness^2 - 2 with alpha = roughness^2.
+    model.exponent = choice.exponent.value_or(finish.roughness ? std::fmax(0.0, 2.0 / model.alpha - 2.0) : finish.phong_size);
+    model.terms.factor = choice.norm * choice.units * choice.dw;
+    for (int channel = 0; channel < 3; ++channel) model.interface[channel] = interface_for(choice, ior, channel);
+    model.colorless = model.interface[0] == model.interface[1] && model.interface[0] == model.interface[2];
+    return model;
+}
+
+}  // namespace rt

@@ -1,0 +1,152 @@
+// Models of the shading catalogue as they come out of the tracer: one point of a floor, against the formulas as their texts print them.
+#include "shading/surface_model.h"
+#include "tests/trace/tracer_scene.h"
+
+namespace rt {
+namespace {
+
+using namespace tracer_test;
+
+const Rgb albedo{0.8, 0.5, 0.3};
+const Rgb ambient{0.05, 0.06, 0.07};
+constexpr double diffuse = 0.7, specular = 0.4, roughness = 0.5, width = 0.25;
+
+/// The point (0, 0, 0) seen from `v`, lit from `l` (both of any length; no shadow, no attenuation).
+struct Case {
+    Vec3 v{1.2, 2.0, -0.7};
+    std::vector<Vec3> lamps{{-2.0, 5.0, 1.5}};
+
+    Rgb traced(const ModelChoice& choice) const {
+        Finish finish = plain(ambient, diffuse);
+        finish.specular = specular;
+        finish.roughness = roughness;
+        std::vector<Light> lights;
+        for (const Vec3& lamp : lamps) lights.push_back(point_light(lamp));
+        const Scene scene = scene_with({object(floor_plane(), texture(color(albedo), finish))}, lights);
+        CompileOptions options;
+        options.choose = [&](const Finish&) { return choice; };
+        const World world = compile(scene, options, [](std::string_view) {});
+        TraceOptions trace;
+        trace.distances = Distances::povray;
+        return Tracer(world, trace).camera_ray({v, unit(-v)}).rgb;
+    }
+
+    // The angles as the texts have them.
+    static constexpr Vec3 n() { return {0, 1, 0}; }
+    Vec3 l() const { return unit(lamps[0]); }
+    Vec3 eye() const { return unit(v); }
+    Vec3 h() const { return unit(l() + eye()); }
+    double nl() const { return dot(n(), l()); }
+    double nv() const { return dot(n(), eye()); }
+    double nh() const { return dot(n(), h()); }
+    double vh() const { return dot(eye(), h()); }
+};
+
+ModelChoice with(SurfaceModel::Specular kind) {
+    ModelChoice choice;
+    choice.model.specular = kind;
+    choice.model.shares = false;
+    return choice;
+}
+
+double schlick(double f0, double c) { return f0 + (1.0 - f0) * std::pow(1.0 - c, 5.0); }
+
+TEST(Catalogue, phong_and_blinn_phong) {
+    const Case c;
+    ModelChoice choice = with(SurfaceModel::Specular::phong);
+    choice.exponent = 12.0;
+    const Vec3 r = 2.0 * c.nl() * c.n() - c.l();
+    const Rgb base = albedo * ambient + diffuse * c.nl() * albedo;
+    EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(specular * std::pow(std::max(0.0, dot(r, c.eye())), 12.0)), 1e-12);
+    choice.model.specular = SurfaceModel::Specular::blinn_phong;
+    EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(specular * std::pow(c.nh(), 12.0)), 1e-12);
+    choice.exponent.reset();  // from roughness: 2 / r^2 - 2
+    EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(specular * std::pow(c.nh(), 6.0)), 1e-12);
+    choice.model.specular = SurfaceModel::Specular::none;
+    EXPECT_RGB_NEAR(c.traced(choice), base, 1e-12);
+}
+
+TEST(Catalogue, cook_torrance_with_other_terms) {
+    const Case c;
+    ModelChoice choice;
+    choice.model.terms = {.D = Distribution::beckmann, .G = Masking::cook_torrance, .F = Fresnel::schlick};
+    const double tan2 = 1.0 / sqr(c.nh()) - 1.0;
+    const double D = std::exp(-tan2 / sqr(width)) / (pi * sqr(width) * std::pow(c.nh(), 4.0));
+    const double G = std::min({1.0, 2.0 * c.nh() * c.nv() / c.vh(), 2.0 * c.nh() * c.nl() / c.vh()});
+    const double lobe = specular * D * G / (4.0 * c.nv());
+    const Rgb base = albedo * ambient + (1.0 - specular) * diffuse * c.nl() * albedo;
+    EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(lobe * schlick(0.04, c.vh())), 1e-12);
+    choice.f0 = Rgb(0.9, 0.6, 0.2);
+    EXPECT_RGB_NEAR(c.traced(choice), base + lobe * Rgb(schlick(0.9, c.vh()), schlick(0.6, c.vh()), schlick(0.2, c.vh())), 1e-12);
+    choice.model.terms.fresnel_at_view = true;
+    EXPECT_RGB_NEAR(c.traced(choice), base + lobe * Rgb(schlick(0.9, c.nv()), schlick(0.6, c.nv()), schlick(0.2, c.nv())), 1e-12);
+    choice.units = pi;
+    choice.model.terms.F = Fresnel::one;
+    EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(pi * lobe), 1e-12);
+}
+
+TEST(Catalogue, the_effects_form_and_the_lecture_as_printed) {
+    const Case c;
+    const double m = width, tan2 = 1.0 / sqr(c.nh()) - 1.0, dw = 0.5;
+    const double D = std::exp(-tan2 / sqr(m)) / std::pow(c.nh(), 4.0);
+    const double halved = std::min({0.5, c.nh() * c.nv() / c.vh(), c.nh() * c.nl() / c.vh()});
+    ModelChoice choice = with(SurfaceModel::Specular::microfacet);
+    choice.model.terms = effects_terms(1.0, false);
+    choice.dw = dw;
+    const Rgb base = albedo * ambient + diffuse * c.nl() * albedo;
+    const double B = dw * specular / (2.0 * sqr(m) * pi);
+    EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(B * schlick(0.04, c.nv()) * D * halved / c.nv()), 1e-12);
+
+    choice = with(SurfaceModel::Specular::microfacet);
+    choice.model.terms = lecture_terms();
+    choice.model.lecture = true;
+    const double cos = c.vh(), g = std::sqrt(1.5 * 1.5 + cos * cos - 1.0);
+    const double F = 0.5 * sqr((g - cos) / (g + cos)) * (1.0 + sqr((cos * (g + cos) - 1.0) / (cos * (g - cos) + 1.0)));
+    const Rgb weight(1.0 - grey(ambient) - specular);
+    const Rgb want = albedo * ambient + weight * c.nl() * albedo + Rgb(specular * D / (4.0 * sqr(m)) * (2.0 * halved) * F / (pi * c.nv()));
+    EXPECT_RGB_NEAR(c.traced(choice), want, 1e-12);
+}
+
+TEST(Catalogue, diffuse_terms) {
+    Case c;
+    ModelChoice choice = with(SurfaceModel::Specular::none);
+    choice.model.diffuse = Diffuse::none;
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient, 1e-15);
+    choice.model.diffuse = Diffuse::oren_nayar;
+    choice.model.oren_nayar = OrenNayar(0.6);
+    // Their angles: a the larger, b the smaller inclination.
+    const double tl = std::acos(c.nl()), tv = std::acos(c.nv());
+    const Vec3 pl = c.l() - c.nl() * c.n(), pv = c.eye() - c.nv() * c.n();
+    const double cos_phi = dot(unit(pl), unit(pv)), s2 = 0.36;
+    const double A = 1.0 - 0.5 * s2 / (s2 + 0.33), B = 0.45 * s2 / (s2 + 0.09);
+    const double factor = A + B * std::max(0.0, cos_phi) * std::sin(std::max(tl, tv)) * std::tan(std::min(tl, tv));
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient + factor * diffuse * c.nl() * albedo, 1e-12);
+}
+
+TEST(Catalogue, gooch_is_the_mean_over_the_lamps_and_has_no_shadow) {
+    Case c;
+    c.lamps.push_back({3.0, -1.0, 0.5});  // below the floor: the cool side
+    ModelChoice choice = with(SurfaceModel::Specular::none);
+    choice.model.diffuse = Diffuse::gooch;
+    const Rgb kd = diffuse * albedo, cool = Rgb(0, 0, 0.4) + 0.2 * kd, warm = Rgb(0.4, 0.4, 0) + 0.6 * kd;
+    Rgb want = albedo * ambient;
+    for (const Vec3& lamp : c.lamps) {
+        const double x = 0.5 * (1.0 + unit(lamp).y);
+        want += 0.5 * (x * warm + (1.0 - x) * cool);
+    }
+    EXPECT_RGB_NEAR(c.traced(choice), want, 1e-12);
+    choice.model.gooch.as_printed = true;
+    EXPECT_RGB_NEAR(c.traced(choice), 2.0 * albedo * ambient + cool + warm - want, 1e-12) << "the mirror image";
+}
+
+TEST(Catalogue, ambient_light_from_every_lamp) {
+    Case c;
+    c.lamps.push_back({1.0, 2.0, 3.0});
+    ModelChoice choice = with(SurfaceModel::Specular::none);
+    const Rgb once = c.traced(choice);
+    choice.model.ambient_per_light = true;
+    EXPECT_RGB_NEAR(c.traced(choice), once + albedo * ambient, 1e-12);
+}
+
+}  // namespace
+}  // namespace rt
