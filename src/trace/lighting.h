@@ -20,8 +20,8 @@ struct LocalLight {
 };
 
 /// `--shading general`: per light (1-s) diffuse pigment (n.l)^brilliance rd + s (n.l) D G F / (4 n.l n.v), s the finish's specular in 0..1,
-/// or what else the finish chose of the catalogue. `metallic m` tints the reflectance at normal incidence, F0 (1 + m (pigment - 1)), so that
-/// the tint fades towards grazing as it does in POV-Ray. Phong highlights by `phong` and everything else are POV-Ray's in all models.
+/// or what else the finish chose of the catalogue. `metallic m` tints the reflectance at normal incidence, F0 (1 + m (pigment - 1)), so
+/// that the tint fades towards grazing as it does in POV-Ray. Phong highlights by `phong` and everything else are POV-Ray's in all models.
 class Lighting {
 public:
     Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules);

@@ -17,7 +17,7 @@ struct CompileOptions {
     Precision precision = Precision::exact;
     IndexKind index = IndexKind::automatic;
     AlphaMapping alpha = AlphaMapping::roughness2;
-    int threads = 0;              ///< for building the index; 0: all cores
+    int threads = 0;  ///< for building the index; 0: all cores
     /// What the finish of this place chooses of the catalogue; nothing: the general form with GGX, Smith and Schlick.
     std::function<ModelChoice(const Finish&)> choose;
     bool general_shading = true;  ///< warn of what only the general form's shading cannot take as it is

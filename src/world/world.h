@@ -55,7 +55,7 @@ struct Features {
     bool layers = false;  ///< some material has several layers
     bool area_lights = false;
     bool visibility_flags = false;  ///< some object is no_image or no_reflection
-    bool catalogue = false;  ///< some finish has specular above 0 or another diffuse term than Lambert's
+    bool catalogue = false;         ///< some finish has specular above 0 or another diffuse term than Lambert's
 };
 
 class SurfaceIndex;
