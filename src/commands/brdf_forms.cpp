@@ -1,11 +1,13 @@
 // Rows of complete forms: one light, one channel.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
 #include "commands/brdf_rows.h"
-#include "commands/term_names.h"
 #include "shading/lamps.h"
 #include "shading/models.h"
+#include "shading/names.h"
 
 namespace rt {
 
@@ -22,9 +24,9 @@ struct Directions {
 };
 
 template <typename T, std::size_t N>
-T named(const NameTable<T, N>& table, const BrdfRow& row, std::string_view column, std::string_view what) {
-    const std::optional<T> value = find_name(table, row.text(column));
-    if (!value) row.fail(unknown_name_text(table, what, row.text(column)));
+T named(const std::array<Named<T>, N>& table, const BrdfRow& row, std::string_view column, std::string_view what) {
+    const std::optional<T> value = find_named(table, row.text(column));
+    if (!value) row.fail(fmt::format("'{}' is no {}; expected one of {}", row.text(column), what, known_names(table)));
     return *value;
 }
 

@@ -17,12 +17,9 @@ constexpr double any = HUGE_VAL;
 
 template <typename T, std::size_t N>
 T named(const std::array<Named<T>, N>& table, std::string_view key, std::string_view name) {
-    std::string known = key == "shading" ? "povray" : "";
-    for (const Named<T>& entry : table) {
-        if (entry.name == name) return entry.value;
-        known += (known.empty() ? "" : ", ") + std::string(entry.name);
-    }
-    throw OptionError(fmt::format("{}: '{}' is unknown; expected one of {}", key, name, known));
+    if (const std::optional<T> value = find_named(table, name)) return *value;
+    throw OptionError(
+        fmt::format("{}: '{}' is unknown; expected one of {}{}", key, name, key == "shading" ? "povray, " : "", known_names(table)));
 }
 
 /// One of two words; true for the second.

@@ -144,7 +144,8 @@ bool Translator::povray_word(const std::string& word) {
 
 bool Translator::switch_word(const std::string& word) {
     const std::string name = "--" + word.substr(1, word.find('=') - 1);
-    if (std::find(own_.long_names.begin(), own_.long_names.end(), name) != own_.long_names.end())
+    // One letter is a switch: -D is POV-Ray's, --D ours.
+    if (name.size() > 3 && std::find(own_.long_names.begin(), own_.long_names.end(), name) != own_.long_names.end())
         throw OptionError(fmt::format("unknown option '{}'; did you mean '{}'?", word, name));
     const PovraySwitch* found = find_povray_switch(std::string_view(word).substr(1));
     if (!found) {

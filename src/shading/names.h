@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "shading/terms.h"
@@ -16,6 +18,22 @@ struct Named {
     T value;
     std::string_view origin;
 };
+
+/// The value of that name, or nothing.
+template <typename T, std::size_t N>
+std::optional<T> find_named(const std::array<Named<T>, N>& table, std::string_view name) {
+    for (const Named<T>& entry : table)
+        if (entry.name == name) return entry.value;
+    return std::nullopt;
+}
+
+/// "ggx, beckmann, ...".
+template <typename T, std::size_t N>
+std::string known_names(const std::array<Named<T>, N>& table) {
+    std::string text;
+    for (const Named<T>& entry : table) text += (text.empty() ? "" : ", ") + std::string(entry.name);
+    return text;
+}
 
 inline constexpr std::array<Named<Distribution>, 4> distribution_names{{{"ggx", Distribution::ggx, "S1"},
                                                                         {"beckmann", Distribution::beckmann, "S0 S1 S4"},

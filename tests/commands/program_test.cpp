@@ -81,8 +81,8 @@ TEST_F(Program, MistakesEndWithStatusOneAndNoFile) {
 }
 
 TEST_F(Program, WordsOfLaterVersionsSaySo) {
-    for (const char* name : {"grade", "versus", "trade", "explain", "merge", "raycast", "pixelray", "firsthit", "pixelcolor",
-                             "printrays", "pixeltrace", "printbvh"}) {
+    for (const char* name : {"grade", "versus", "trade", "explain", "merge", "raycast", "pixelray", "firsthit", "pixelcolor", "printrays",
+                             "pixeltrace", "printbvh"}) {
         const std::string word = name;
         const Outcome outcome = run({word, "a.pov"});
         EXPECT_EQ(outcome.status, 1);
