@@ -104,10 +104,27 @@ std::vector<std::string> CommandLine::long_names() const {
     return names;
 }
 
+/// `-W=8` in two words, as CLI11 knows it; the value of another option stays.
+std::vector<std::string> CommandLine::with_values_apart(const std::vector<std::string>& words) const {
+    std::vector<std::string> result;
+    for (const std::string& word : words) {
+        const bool value = !result.empty() && takes_value(result.back());
+        const bool joined = !value && word.size() > 2 && word[0] == '-' && word[1] != '-' && word[2] == '=';
+        if (!joined || !takes_value(word.substr(0, 2))) {
+            result.push_back(word);
+            continue;
+        }
+        result.push_back(word.substr(0, 2));
+        result.push_back(word.substr(3));
+    }
+    return result;
+}
+
 std::vector<std::string> CommandLine::parse(const std::vector<std::string>& words) {
     // Words behind `--` are kept from CLI11, which would not tell them from misspelt options.
     const auto end_of_options = std::find(words.begin(), words.end(), "--");
-    std::vector<std::string> reversed(std::make_reverse_iterator(end_of_options), words.rend());
+    std::vector<std::string> reversed = with_values_apart({words.begin(), end_of_options});
+    std::reverse(reversed.begin(), reversed.end());
     try {
         state_->app.parse(reversed);
     } catch (const CLI::ArgumentMismatch& error) {

@@ -35,6 +35,8 @@ public:
     std::string help() const;
 
 private:
+    std::vector<std::string> with_values_apart(const std::vector<std::string>& words) const;
+
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -103,7 +103,10 @@ void write_difference(const CompareJob& job, const StoredImage& a, const StoredI
     }
     Encoding as_is;
     as_is.raw = true;
-    const OutputTarget target = output_target({job.picture, false, std::nullopt, true}, job.a);
+    const OutputRequest request{job.picture, false, std::nullopt, true};
+    const OutputTarget target = output_target(request, job.a);
+    const std::string note = note_on_name(request, target);
+    if (!note.empty() && !job.quiet) write_stderr(fmt::format("raytrace: note: {}\n", note));
     const ImageMetadata metadata{{{"Software", fmt::format("raytrace {}", program_version())},
                                   {"Difference", fmt::format("{} {} scale={}", job.a, job.b, job.scale)}}};
     write_image(film, target.path, target.format, as_is, metadata);

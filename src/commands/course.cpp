@@ -19,8 +19,34 @@ namespace rt {
 namespace {
 
 constexpr std::array<std::string_view, 4> later_options{"-fresnel", "-altbrdf", "-beers", "-gi"};
+/// Ours that no course option resembles.
+constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
+constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};
 /// Rays after the camera's in the course's pictures.
 constexpr int further_rays = 6;
+
+bool is_one_of(const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+/// Throws OptionError for an option that neither the course nor we have, or that contradicts the words around it.
+void check_option(const std::string& word) {
+    const std::string name = word.substr(0, word.find('='));
+    if (is_one_of(later_options, name) || name.starts_with("-gi_"))
+        throw OptionError(fmt::format("option '{}' is not available in this version", name));
+    const bool short_size = name.size() > 1 && (name[1] == 'W' || name[1] == 'H') && name.find_first_not_of("0123456789", 2) == name.npos;
+    if (short_size || is_one_of(size_options, name))
+        throw OptionError(fmt::format("'{}': the size stands behind the scene: raytrace render SCENE WIDTH HEIGHT", word));
+    if (word.starts_with('+')) {
+        const std::string ours = in_long_options(word);
+        throw OptionError(fmt::format("POV-Ray's switch '{}' does not go with the course's render{}{}", word,
+                                      ours.empty() ? "" : "; in our options it is ", ours));
+    }
+    const bool threads = name.size() > 2 && name.starts_with("-t") && name.find_first_not_of("0123456789", 2) == name.npos;
+    if (threads || name == "-ss" || is_one_of(short_options, name)) return;
+    std::vector<std::string> known = render_long_names();
+    if (is_one_of(known, name)) return;
+    known.insert(known.end(), {"-ss", "-fresnel", "-altbrdf", "-beers", "-gi", "-sds"});
+    throw OptionError(fmt::format("unknown option '{}'{}", name, did_you_mean(name, known)));
+}
 
 /// The course's words as ours: FILE WIDTH HEIGHT and options in any order.
 Words render_words(const Words& words) {
@@ -33,14 +59,10 @@ Words render_words(const Words& words) {
         }
         const std::string name = word.substr(0, word.find('='));
         if (name == "-sds") continue;  // a spatial data structure: there is always one
-        if (std::find(later_options.begin(), later_options.end(), name) != later_options.end() || name.starts_with("-gi_"))
-            throw OptionError(fmt::format("option '{}' is not available in this version", name));
-        const bool course = word.starts_with('-') && !word.starts_with("--");
-        if (course && name != "-ss")
-            throw OptionError(
-                fmt::format("unknown option '{}'{}", name, did_you_mean(name, {"-ss", "-fresnel", "-altbrdf", "-beers", "-gi", "-sds"})));
-        (word.starts_with('-') ? options : positional).push_back(word);
-        const bool separate = word == "-ss" || (word.starts_with("--") && render_option_takes_value(word));
+        const bool option = word.size() > 1 && (word[0] == '-' || word[0] == '+');
+        if (option) check_option(word);
+        (option ? options : positional).push_back(word);
+        const bool separate = word == "-ss" || (option && render_option_takes_value(word));
         if (separate && i + 1 < words.size()) options.push_back(words[++i]);
     }
     if (positional.size() != 3) throw OptionError("expected: raytrace render SCENE WIDTH HEIGHT [options]");

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "commands/commands.h"
 #include "commands/render_arguments.h"
 #include "commands/session.h"
+#include "commands/suggest.h"
 #include "commands/text.h"
 #include "core/source.h"
 
@@ -16,8 +18,19 @@ namespace {
 constexpr std::array<std::string_view, 9> course_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
                                                           "pixelcolor", "printrays", "pixeltrace", "printbvh"};
 constexpr std::array<std::string_view, 5> later_commands{"grade", "versus", "trade", "explain", "merge"};
+constexpr std::array<std::string_view, 7> available_commands{"render", "sceneinfo", "requires", "compare", "brdf", "help", "version"};
 
 bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
+
+/// A first word that is neither an option nor a file, but nearly a command.
+void refuse_mistyped_command(const std::string& word) {
+    if (word.empty() || word.find_first_of("+-=./") != std::string::npos) return;
+    std::error_code ignored;
+    for (const std::string& name : {word, word + ".pov"})
+        if (std::filesystem::exists(name, ignored)) return;
+    const std::string meant = did_you_mean(word, {available_commands.begin(), available_commands.end()});
+    if (!meant.empty()) throw OptionError(fmt::format("'{}' is neither a command nor a scene{}", word, meant));
+}
 
 }  // namespace
 
@@ -29,8 +42,9 @@ int run_program(const Words& words) {
     if (first == "compare") return run_compare(rest);
     if (first == "brdf") return run_brdf(rest);
     if (first == "help") return run_help(rest);
-    if (first == "version" || first == "--version") return run_version(rest);
+    if (first == "version" || first == "--version" || first == "-version") return run_version(rest);
     if (is_one_of(later_commands, first)) throw OptionError(fmt::format("'{}' is not available in this version", first));
+    refuse_mistyped_command(first);
     return run_render(words);
 }
 

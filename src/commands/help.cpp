@@ -127,8 +127,9 @@ raytrace sceneinfo SCENE                     camera, lights and objects as text
 In this version 'render' shades with POV-Ray's finish model under the course's
 camera, not yet with the course's own Blinn-Phong and contributions; -fresnel,
 -altbrdf, -beers and -gi are refused, -sds is what always happens. Our long
-options (--shading general, --stats ...) are accepted. raycast, pixelray,
-firsthit, pixelcolor, printrays, pixeltrace and printbvh are not available yet.
+options (--shading general, --stats ...) and -o -q -t -L are accepted. raycast,
+pixelray, firsthit, pixelcolor, printrays, pixeltrace and printbvh are not
+available yet.
 )";
 
 constexpr const char* exit_topic =

@@ -51,6 +51,12 @@ OutputTarget output_target(const OutputRequest& request, const std::string& scen
     return target;
 }
 
+std::string note_on_name(const OutputRequest& request, const OutputTarget& target) {
+    const std::string ending = std::filesystem::path(request.name).extension().string();
+    if (ending.empty() || target.path != fmt::format("{}.{}", request.name, extension(target.format))) return "";
+    return fmt::format("'{}' is not the ending of the picture's type: '{}' is written", ending, target.path);
+}
+
 std::string partial_name(const std::string& path) {
     std::filesystem::path name(path);
     const std::string ending = name.extension().string();
@@ -63,6 +69,8 @@ ImageFormat povray_file_type(const std::string& text, std::optional<int>& bits) 
         {'j', ImageFormat::jpeg}, {'b', ImageFormat::bmp}, {'e', ImageFormat::exr}, {'h', ImageFormat::hdr},
     };
     const std::string type = lower_case(text);
+    if (type == "ng" || type == "pg")
+        throw OptionError(fmt::format("grey pictures (file type '{}', Grayscale_Output) are not available in this version", text));
     if (type.size() > 1) bits = whole_number("bits per colour", type.substr(1), 1, most_bits);
     for (const auto& [letter, format] : types)
         if (!type.empty() && type[0] == letter) return format;

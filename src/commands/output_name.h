@@ -26,6 +26,9 @@ struct OutputTarget {
 /// The right extension is appended unless the name has it (case counts, as in POV-Ray): "out.dat" becomes "out.dat.png".
 OutputTarget output_target(const OutputRequest& request, const std::string& scene);
 
+/// "" or, where an extension that is not the type's got another behind it, a note that says so.
+std::string note_on_name(const OutputRequest& request, const OutputTarget& target);
+
 /// "out.png" -> "out.partial.png": what an interrupted run leaves.
 std::string partial_name(const std::string& path);
 

@@ -153,7 +153,10 @@ bool Translator::switch_word(const std::string& word) {
         throw OptionError(fmt::format("unknown switch '{}'; see raytrace help povray", word));
     }
     const std::string_view rest = unquoted(std::string_view(word).substr(1 + found->letters.size()));
-    for (const std::string& item : split(word[0] == '+' ? found->plus : found->minus, ' ')) {
+    const std::string_view items = word[0] == '+' ? found->plus : found->minus;
+    if (!rest.empty() && items.find_first_of("!?") == std::string_view::npos)
+        throw OptionError(fmt::format("unknown switch '{}': nothing may stand behind '{}{}'", word, word[0], found->letters));
+    for (const std::string& item : split(items, ' ')) {
         const std::size_t equals = item.find('=');
         const std::string key = item.substr(0, equals);
         const std::string value = item.substr(equals + 1);

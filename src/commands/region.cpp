@@ -15,6 +15,8 @@ int first_pixel(double start, int n) { return start < 1.0 ? static_cast<int>(std
 int end_pixel(double end, int n) { return end <= 1.0 ? static_cast<int>(std::floor(n * end)) : static_cast<int>(end); }
 
 void check(const char* what, int first, int end, int n) {
+    if (first >= end && first < n && end > 0)
+        throw OptionError(fmt::format("region: {} begin at {} and end before, at {}", what, first + 1, end));
     if (first < 0 || end > n || first >= end)
         throw OptionError(fmt::format("region: {} {} to {} are no part of a picture of {}", what, first + 1, end, n));
 }

@@ -31,6 +31,7 @@ struct Draft {
     std::optional<double> jitter_amount;
     std::optional<int> initial_frame, final_frame;
     bool subset_frames = false;
+    std::string dither_method;
 };
 
 void define_picture(CommandLine& line, Draft& d) {
@@ -76,6 +77,11 @@ void define_picture(CommandLine& line, Draft& d) {
         job.file_gamma = srgb ? Curve{Curve::Kind::srgb, 1.0} : Curve{Curve::Kind::power, real_number("file gamma", v, 1e-3, 1e3)};
     });
     line.value("--dither", "ON", "", [&](const std::string& v) { job.dither = on_or_off("dither", v); });
+    line.value("--dither-method", "NAME", "", [&](const std::string& v) {
+        for (const char* known : {"FS", "B2", "B3", "B4", "D1", "D2"})
+            if (lower_case(v) == lower_case(known)) return void(d.dither_method = known);
+        throw OptionError(fmt::format("'{}' is no dithering method; expected one of FS, B2, B3, B4, D1, D2", v));
+    });
 }
 
 void define_sampling(CommandLine& line, Draft& d) {
@@ -109,8 +115,9 @@ void define_sampling(CommandLine& line, Draft& d) {
     line.value("--jitter", "ON", "", [&](const std::string& v) { d.jitter = on_or_off("Jitter", v); });
     line.value("--jitter-amount", "X", "",
                [&](const std::string& v) { d.jitter_amount = real_number("jitter amount", v, 0.0, unbounded); });
-    line.value("--povray-quality", "N", "",
-               [&](const std::string& v) { d.job.povray_quality = std::min(11, whole_number("quality", v, 0, largest_side)); });
+    line.value("--povray-quality", "N", "", [&](const std::string& v) {
+        d.job.povray_quality = std::clamp(whole_number("quality", v, -largest_side, largest_side), 0, 11);
+    });
 }
 
 void define_shading(CommandLine& line, RenderJob& job) {
@@ -174,11 +181,25 @@ std::string scene_path(const std::string& name) {
     return bare && !std::filesystem::exists(name, ignored) ? name + ".pov" : name;
 }
 
+bool is_number(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
+
+/// What the second word was perhaps meant to be, and how to say so.
+std::string meaning_of_further_words(const std::vector<std::string>& words) {
+    const std::size_t x = lower_case(words[1]).find('x');
+    if (words.size() == 3 && is_number(words[1]) && is_number(words[2]))
+        return fmt::format(" A size is -W {1} -H {2}; the course's way is: raytrace render {0} {1} {2}", words[0], words[1], words[2]);
+    if (words.size() == 2 && x != std::string::npos && is_number(words[1].substr(0, x)) && is_number(words[1].substr(x + 1)))
+        return fmt::format(" A size is --size {}", words[1]);
+    ImageFormat format = ImageFormat::png;
+    return words.size() == 2 && format_of(words[1], format) ? fmt::format(" The picture's name is -o {}", words[1]) : "";
+}
+
 void choose_scene(Draft& d, const std::vector<std::string>& others) {
     std::vector<std::string> scenes = others;
     if (!d.input.empty()) scenes.push_back(d.input);
     if (scenes.empty()) throw OptionError("no scene given; see raytrace --help");
-    if (scenes.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' or '{}'?", scenes[0], scenes[1]));
+    if (scenes.size() > 1)
+        throw OptionError(fmt::format("one scene at a time: '{}' or '{}'?{}", scenes[0], scenes[1], meaning_of_further_words(scenes)));
     d.job.scene = scene_path(scenes[0]);
 }
 
@@ -201,6 +222,12 @@ void choose_sampling(Draft& d) {
 void refuse_animation(const Draft& d) {
     const bool frames = d.final_frame.value_or(1) != 1 || d.initial_frame.value_or(1) != 1 || d.subset_frames;
     if (frames) throw OptionError("animation (frames) is not available in this version; render single pictures with Clock=VALUE (+KVALUE)");
+}
+
+void check_dithering(const Draft& d) {
+    const std::string& method = d.dither_method;
+    if (!d.job.dither || method.empty() || method == "FS") return;
+    throw OptionError(fmt::format("dithering method {} is not available in this version; FS (Floyd-Steinberg) is", method));
 }
 
 void choose_region(Draft& d) {
@@ -239,6 +266,20 @@ bool render_option_takes_value(const std::string& word) {
     CommandLine line(render_usage, render_footer);
     define_render(line, draft);
     return line.takes_value(word);
+}
+
+std::vector<std::string> render_long_names() {
+    Draft draft;
+    CommandLine line(render_usage, render_footer);
+    define_render(line, draft);
+    return line.long_names();
+}
+
+std::string in_long_options(const std::string& povray_switch) {
+    Draft draft;
+    CommandLine line(render_usage, render_footer);
+    define_render(line, draft);
+    return fmt::format("{}", fmt::join(translate({povray_switch}, line).words, " "));
 }
 
 std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std::string>& words, std::string& help) {
@@ -284,6 +325,7 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     choose_scene(draft, others);
     refuse_animation(draft);
     choose_sampling(draft);
+    check_dithering(draft);
     choose_region(draft);
     RenderJob& job = draft.job;
     job.parse.image_width = job.width;

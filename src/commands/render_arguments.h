@@ -15,6 +15,10 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
 
 /// Is `word` an option of a render whose value is the next word?
 bool render_option_takes_value(const std::string& word);
+/// Every "--name" that a render understands.
+std::vector<std::string> render_long_names();
+/// A switch of POV-Ray's in our long options. Throws OptionError if there is no such switch.
+std::string in_long_options(const std::string& povray_switch);
 
 struct RequiresArguments {
     std::vector<std::string> scenes;

@@ -88,6 +88,7 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
 void check_output(const RenderJob& job, const MessageSink& messages) {
     const OutputTarget target = output_target(job.output, job.scene);
     if (target.path.empty()) return;
+    if (const std::string note = note_on_name(job.output, target); !note.empty()) messages("raytrace: note: " + note);
     for (const std::string& loss : format_losses(job, target.format)) messages("raytrace: warning: " + loss);
     if (target.path != "-") check_image_target(target.path, target.format);
 }

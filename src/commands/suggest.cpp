@@ -29,7 +29,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
-    constexpr std::size_t longest_compared = 64;  // the distance costs the product of both lengths
+    constexpr std::size_t longest_compared = 64;   // the distance costs the product of both lengths
+    constexpr std::size_t shortest_beginning = 4;  // of an option: two dashes and two letters
     if (word.size() > longest_compared) return "";
     std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
     std::string best;
@@ -39,6 +40,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         limit = distance;
         best = candidate;
     }
+    if (!best.empty() || word.size() < shortest_beginning) return best;
+    for (const std::string& candidate : candidates)
+        if (candidate.starts_with(word) && (best.empty() || candidate.size() < best.size())) best = candidate;
     return best;
 }
 

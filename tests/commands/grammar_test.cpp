@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"a.pov", "--crop=0,9,0,900"}, "crop: columns 0 to 9 and rows 0 to 900 are no part of a 800 x 600 picture"},
         Mistake{{"a.pov", "--crop=5,5,0,9"}, "crop: columns 5 to 5 and rows 0 to 9 are no part of a 800 x 600 picture"},
         Mistake{{"a.pov", "--crop=0,9"}, "crop: expected X0,X1,Y0,Y1, not '0,9'"},
-        Mistake{{"a.pov", "+SC10", "+EC4"}, "region: columns 10 to 4 are no part of a picture of 800"},
+        Mistake{{"a.pov", "+SC10", "+EC4"}, "region: columns begin at 10 and end before, at 4"},
         Mistake{{"a.pov", "--define", "N"}, "define: expected NAME=VALUE, not 'N'"},
         Mistake{{"a.pov", "--define", "=3"}, "define: expected NAME=VALUE, not '=3'"},
         Mistake{{"nowhere.ini"}, "cannot open INI file 'nowhere.ini'"}));

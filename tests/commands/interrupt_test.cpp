@@ -121,7 +121,7 @@ void raise_in_another_thread(int signal) {
     _exit(102);
 }
 
-TEST(Signals, ThatAnotherThreadTakesWaitUntilATemporaryFileIsRegistered) {
+TEST(SignalsDeathTest, ThatAnotherThreadTakesWaitUntilATemporaryFileIsRegistered) {
     const test::Workplace here;
     EXPECT_EXIT(make_a_file_among_signals(), testing::ExitedWithCode(exit_interrupted), "raytrace: interrupted");
     EXPECT_EQ(here.files(), Files{});
