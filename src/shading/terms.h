@@ -18,14 +18,17 @@ enum class Distribution { blinn, blinn_inverse_roughness, beckmann, ggx, gaussia
 inline constexpr double least_alpha = 1e-150;
 inline constexpr double greatest_alpha = 1e150;
 
+/// Logarithm of the squared cosine, from whichever of the squares loses less.
+inline double log_cos2(double cos2_h, double sin2_h) { return sin2_h < 0.5 ? std::log1p(-sin2_h) : std::log(cos2_h); }
 /// (n.h)^(2 exponent) / (pi alpha^2): Blinn 1977 by any power.
 inline double D_power(double cos2_h, double sin2_h, double alpha, double exponent) {
     if (exponent == 0.0) return 1.0 / (pi * alpha * alpha);
-    const double log_cos2 = sin2_h < 0.5 ? std::log1p(-sin2_h) : std::log(cos2_h);
-    return std::exp(exponent * log_cos2) / (pi * alpha * alpha);
+    return std::exp(exponent * log_cos2(cos2_h, sin2_h)) / (pi * alpha * alpha);
 }
 /// Blinn with power 2/alpha^2 - 2, which integrates to 1 for every alpha (Walter, Marschner, Li, Torrance 2007, with this width).
+/// Above 1 the power is negative; one division by the cosine's square leaves a small positive one, and nothing large to cancel.
 inline double D_blinn(double cos2_h, double sin2_h, double alpha) {
+    if (alpha > 1.0 && cos2_h > 0.0) return std::exp(log_cos2(cos2_h, sin2_h) / alpha / alpha) / (pi * alpha * (alpha * cos2_h));
     return D_power(cos2_h, sin2_h, alpha, ((1.0 - alpha) / alpha) * ((1.0 + alpha) / alpha));
 }
 /// Blinn with power 1/roughness, roughness = sqrt(alpha): integrates to 1 only at roughness 0.895.

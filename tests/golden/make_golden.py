@@ -159,7 +159,7 @@ def terms():
         for i in range(60):
             alpha, nh = pick(alphas, [1, one_less, 1 - 1e-12, 0.999999, 0.99, 0.8, 0.5, 0.1, 1e-3, 1e-8, 1e-16, 1e-100])
             if i % 2:  # on the flank of the lobe
-                alpha = 10.0 ** rng.uniform(-7, 0.3)
+                alpha = 10.0 ** rng.uniform(-7, 0.3 if i % 4 == 1 else 20)
                 nh = float(1 / sqrt(1 + (mpf(alpha) * rng.uniform(0, 5)) ** 2))
             row("D", name, [alpha, 0.0, 0.0, nh, 0.0, 0.0, 0.0], [distribution(name, mpf(alpha), mpf(nh)), mpf(0)])
     cosines = [1, one_less, 0.999, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-100]
