@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "commands/brdf_rows.h"
 #include "shading/lamps.h"
