@@ -59,11 +59,28 @@ bool clip_by_caps(const LocalLine& line, Stretch& stretch) {
     return stretch.enter <= stretch.leave;
 }
 
+bool is_double(const Cone& cone) {
+    return std::fmin(cone.base_radius, cone.cap_radius) < 0.0 && std::fmax(cone.base_radius, cone.cap_radius) > 0.0;
+}
+
+/// The nearer hit of the two cones that a double one consists of.
+bool intersect_double(const Cone& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    const Vec3 tip = shape.base + shape.base_radius / (shape.base_radius - shape.cap_radius) * (shape.cap - shape.base);
+    const Cone lower{shape.base, std::fabs(shape.base_radius), tip, 0.0, shape.open};
+    const Cone upper{tip, 0.0, shape.cap, std::fabs(shape.cap_radius), shape.open};
+    const bool meets_lower = intersect(lower, ray, range, hit);
+    ShapeHit other;
+    if (!intersect(upper, ray, range, other) || (meets_lower && hit.t < other.t)) return meets_lower;
+    hit = other;
+    return true;
+}
+
 }  // namespace
 
 // The frustum is convex, so the line is inside for one stretch: that of the side cut by that of the caps. Deciding by stretches instead of
 // testing side and discs each for itself leaves no gap at the rims. Far origins are first moved next to the axis, where squares are small.
 bool intersect(const Cone& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    if (is_double(shape)) return intersect_double(shape, ray, range, hit);
     const Vec3 axis = shape.cap - shape.base;
     const double axis2 = dot(axis, axis);
     const Vec3& d = ray.direction;
@@ -109,7 +126,9 @@ Vec3 normal(const Cone& shape, const Vec3& point, const ShapeHit& hit) {
     const Vec3 p = point - 0.5 * (shape.base + shape.cap);
     const Vec3 perp = p - (dot(p, axis) / axis2) * axis;
     const double distance = length(perp);
-    const double growth = shape.cap_radius - shape.base_radius;
+    const double change = shape.cap_radius - shape.base_radius;
+    const double radius = 0.5 * (shape.base_radius + shape.cap_radius) + change * dot(p, axis) / axis2;
+    const double growth = radius < 0.0 ? -change : change;
     if (distance == 0.0) return growth > 0.0 ? -axis : axis;  // the tip has no tangent plane: face along the axis
     return perp / distance - (growth / axis2) * axis;
 }

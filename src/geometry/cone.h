@@ -1,4 +1,5 @@
-// Cone frustum; with equal radii a cylinder. Part 0 is the side, 1 the base cap, 2 the top cap.
+// Cone frustum; with equal radii a cylinder, with radii of opposite sign two cones tip to tip. Part 0 is the side, 1 the base cap, 2 the
+// top cap.
 #pragma once
 
 #include "geometry/hit.h"

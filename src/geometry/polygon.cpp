@@ -17,20 +17,14 @@ void for_each_edge(const std::vector<Vec3>& points, Visit visit) {
     if (first + 1 < points.size() && points.back() != points[first]) visit(first, points.back(), points[first]);
 }
 
-/// Twice the area vector of the contour with the largest one (Newell's method): contours that run opposite ways must not cancel.
-Vec3 area_vector(const std::vector<Vec3>& points) {
-    Vec3 largest(0.0), sum(0.0);
-    std::size_t contour = 0;
-    const auto finish = [&] {
-        if (dot(sum, sum) > dot(largest, largest)) largest = sum;
-        sum = Vec3(0.0);
-    };
-    for_each_edge(points, [&](std::size_t first, const Vec3& from, const Vec3& to) {
-        if (first != contour) finish();
-        contour = first;
-        sum += cross(from - points[first], to - points[first]);
-    });
-    finish();
+/// Across the plane of the points, from the largest triangle that the first one spans with two neighbours. An outline that crosses itself
+/// may enclose as much on one side as on the other, so that no area could tell.
+Vec3 plane_normal(const std::vector<Vec3>& points) {
+    Vec3 largest(0.0);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const Vec3 candidate = cross(points[i] - points[0], points[i + 1] - points[0]);
+        if (dot(candidate, candidate) > dot(largest, largest)) largest = candidate;
+    }
     return largest;
 }
 
@@ -58,14 +52,14 @@ bool contains(const std::vector<Vec3>& points, const TriangleRay& ray) {
 
 bool intersect(const Polygon& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
     if (shape.points.size() < 3) return false;
-    const Vec3 n = area_vector(shape.points);
+    const Vec3 n = plane_normal(shape.points);
     const double t = dot(shape.points.front() - ray.origin, n) / dot(ray.direction, n);
     if (!range.contains(t) || !contains(shape.points, TriangleRay(ray))) return false;
     hit.t = t;
     return true;
 }
 
-Vec3 normal(const Polygon& shape, const Vec3&, const ShapeHit&) { return area_vector(shape.points); }
+Vec3 normal(const Polygon& shape, const Vec3&, const ShapeHit&) { return plane_normal(shape.points); }
 
 Bounds bounds(const Polygon& shape) {
     Bounds b;

@@ -1,5 +1,6 @@
 #include "geometry/torus.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -87,11 +88,36 @@ bool clip_to_hull(const Torus& torus, const Vec3& nearest, const Vec3& direction
     return lo < hi;
 }
 
+/// POV-Ray asks first whether the ray meets the drum around the tube: |y| < r and rho < |R + r|. Where R is negative the drum is narrower
+/// than the tube: only what is seen through it exists.
+bool meets_drum(const Torus& torus, const Ray& ray) {
+    const double r = torus.minor_radius;
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    const double a = sqr(d.x) + sqr(d.z), b = o.x * d.x + o.z * d.z, c = sqr(o.x) + sqr(o.z) - sqr(torus.major_radius + r);
+    double lo = -infinity, hi = infinity;
+    if (a > 0.0) {
+        const double root = std::sqrt(b * b - a * c);
+        lo = (-b - root) / a;
+        hi = (-b + root) / a;
+    } else if (c >= 0.0) {
+        return false;
+    }
+    if (d.y != 0.0) {
+        const double below = (-r - o.y) / d.y, above = (r - o.y) / d.y;
+        lo = std::max(lo, std::min(below, above));
+        hi = std::min(hi, std::max(below, above));
+    } else if (std::fabs(o.y) >= r) {
+        return false;
+    }
+    return lo < hi && hi > 0.0;
+}
+
 }  // namespace
 
 // The roots are isolated by the extrema of the quartic, those by the extrema of its derivative: no closed formula, so double and nearly
 // double roots cost no accuracy. A ray that only touches (the quartic does not become negative) has no hit.
 bool intersect(const Torus& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+    if (shape.major_radius < 0.0 && shape.minor_radius > 0.0 && !meets_drum(shape, ray)) return false;
     const double speed = length(ray.direction);
     const Vec3 direction = ray.direction / speed;
     const double shift = -dot(ray.origin, direction);
@@ -119,9 +145,10 @@ bool intersect(const Torus& shape, const Ray& ray, const Interval& range, ShapeH
 
 Vec3 normal(const Torus& shape, const Vec3& point, const ShapeHit&) {
     // From the nearest point of the circle inside the tube; on the axis (spindle tori only) every point is nearest, the axis is the normal.
+    // POV-Ray keeps the sign of a negative major radius: it measures from the circle's far side.
     const double rho = std::sqrt(sqr(point.x) + sqr(point.z));
     if (rho == 0.0) return {0.0, point.y < 0.0 ? -1.0 : 1.0, 0.0};
-    const double from_circle = (rho - std::fabs(shape.major_radius)) / rho;
+    const double from_circle = (rho - shape.major_radius) / rho;
     return {point.x * from_circle, point.y, point.z * from_circle};
 }
 

@@ -1,4 +1,5 @@
-// Torus around the y axis.
+// Torus around the y axis. If only the major radius is negative, it exists only where it is seen through the drum around a torus as
+// wide as the sum of the radii.
 #pragma once
 
 #include "geometry/hit.h"

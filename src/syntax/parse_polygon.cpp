@@ -10,8 +10,8 @@ constexpr double epsilon = 1e-10;  ///< POV-Ray's, for "the same point" and "in 
 
 bool same_point(const Vec3& a, const Vec3& b) { return length(a - b) < epsilon; }
 
-/// Closes every contour by an exact copy of its first point; true if the last one had to be closed by a point of ours.
-bool close_contours(std::vector<Vec3>& points) {
+/// Closes every contour by an exact copy of its first point. How many points the last one had if it had to be closed by a point of ours.
+std::size_t close_contours(std::vector<Vec3>& points) {
     std::size_t first = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (i == first || !same_point(points[i], points[first])) continue;
@@ -19,9 +19,9 @@ bool close_contours(std::vector<Vec3>& points) {
         points[i] = points[first];
         first = i + 1;
     }
-    if (first >= points.size()) return false;
+    if (first >= points.size()) return 0;
     points.push_back(points[first]);
-    return true;
+    return points.size() - 1 - first;
 }
 
 /// The plane's normal from the first point and the two that span the most with it; zero if all points lie on a line.
@@ -56,7 +56,10 @@ ParsedShape parse_polygon(Reader& reader) {
         polygon.points.push_back(reader.parse_vector());
     }
     const Span place = reader.peek().span;
-    if (close_contours(polygon.points)) reader.warn(place, "Polygon not closed. Closing it.");
+    const std::size_t open = close_contours(polygon.points);
+    if (open != 0) reader.warn(place, "Polygon not closed. Closing it.");
+    // POV-Ray makes a triangle of it with the start of the contour before and a point far away, wherever that lies in its own plane.
+    if (open == 1) reader.warn(place, "The last point of this polygon stands alone and bounds nothing. POV-Ray draws something else.");
     const Vec3 normal = plane_normal(polygon.points);
     if (!(length(normal) > 0.0)) return std::nullopt;
     if (!is_planar(polygon.points, normal)) {

@@ -7,7 +7,8 @@ namespace rt {
 
 namespace {
 
-constexpr double epsilon = 1e-10;  ///< POV-Ray's, for vectors that count as zero
+constexpr double epsilon = 1e-10;      ///< POV-Ray's, for vectors that count as zero
+constexpr double sphere_limit = 1e-9;  ///< a torus whose major radius is that much smaller than the minor one is a sphere
 
 /// A vector and the comma that may follow it.
 Vec3 vector_then_comma(Reader& reader) {
@@ -46,12 +47,24 @@ ParsedShape finish_cone(Reader& reader, Cone cone, std::string_view degenerate) 
     return cone;
 }
 
+/// POV-Ray's cones of negative radii, as measured: two negative ones make a cylinder of the smaller; one of opposite sign makes two cones
+/// tip to tip. Of a negative end that is wider than the other POV-Ray shows what is seen through a box as narrow as the other, which
+/// depends on the directions of the axes; the whole is drawn here.
+void mend_negative_radii(Reader& reader, Cone& cone) {
+    const double smaller = std::fmin(cone.base_radius, cone.cap_radius), larger = std::fmax(cone.base_radius, cone.cap_radius);
+    if (smaller < 0.0 && larger <= 0.0)
+        cone.base_radius = cone.cap_radius = -larger;
+    else if (-smaller > larger)
+        reader.warn(reader.peek().span, "POV-Ray shows only a part of a cone whose negative radius is the larger one. It is drawn whole.");
+}
+
 ParsedShape parse_cone(Reader& reader) {
     Cone cone;
     cone.base = vector_then_comma(reader);
     cone.base_radius = float_then_comma(reader);
     cone.cap = vector_then_comma(reader);
     cone.cap_radius = reader.parse_float();
+    mend_negative_radii(reader, cone);
     return finish_cone(reader, cone, "Degenerate cone/cylinder.");
 }
 
@@ -63,10 +76,17 @@ ParsedShape parse_cylinder(Reader& reader) {
     return finish_cone(reader, cone, "Degenerate cylinder, base point = apex point.");
 }
 
-/// POV-Ray shows nothing of a torus with a negative radius.
+/// A major radius of zero makes a sphere, of which POV-Ray shows speckles: all roots of its quartic are double ones.
 ParsedShape parse_torus(Reader& reader) {
     const Torus torus{float_then_comma(reader), reader.parse_float()};
-    if (torus.major_radius < 0.0 || torus.minor_radius <= 0.0) return std::nullopt;
+    const double R = torus.major_radius, r = torus.minor_radius;
+    if (r == 0.0) return std::nullopt;
+    if (r < 0.0) {
+        reader.warn(reader.peek().span, R < 0.0 ? "POV-Ray shows only a part of some tori with two negative radii. It is drawn whole."
+                                                : "A torus with a negative minor radius is not visible.");
+        if (R >= 0.0) return std::nullopt;
+    }
+    if (std::fabs(R) <= sphere_limit * std::fabs(r)) return Sphere{Vec3(0.0), std::fabs(r)};
     return torus;
 }
 

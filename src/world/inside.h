@@ -22,7 +22,7 @@ inline bool inside(const Cone& s, const Vec3& p) {
 }
 
 inline bool inside(const Torus& s, const Vec3& p) {
-    const double from_circle = std::sqrt(sqr(p.x) + sqr(p.z)) - s.major_radius;
+    const double from_circle = std::sqrt(sqr(p.x) + sqr(p.z)) - std::fabs(s.major_radius);
     return sqr(from_circle) + sqr(p.y) < sqr(s.minor_radius);
 }
 

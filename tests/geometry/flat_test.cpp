@@ -216,5 +216,17 @@ TEST(Polygon, ContoursOfOppositeSenseDoNotCancelThePlane) {
     EXPECT_FALSE(intersect(two, {{1.5, 0.5, -1}, {0, 0, 1}}, {}, hit));
 }
 
+TEST(Polygon, HalvesOfAnOutlineThatCrossesItselfDoNotCancelThePlane) {
+    const Polygon bow{{{-1, -1, 2}, {1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {-1, -1, 2}}};
+    ShapeHit hit;
+    for (const double y : {-0.5, 0.5}) {
+        ASSERT_TRUE(intersect(bow, {{0.1, y, 0}, {0, 0, 1}}, {}, hit));
+        EXPECT_EQ(hit.t, 2.0);
+    }
+    EXPECT_FALSE(intersect(bow, {{0.5, 0.1, 0}, {0, 0, 1}}, {}, hit));
+    EXPECT_FALSE(intersect(bow, {{-0.5, 0.1, 0}, {0, 0, 1}}, {}, hit));
+    EXPECT_EQ(std::fabs(unit(normal(bow, {0, 0.5, 2}, hit)).z), 1.0);
+}
+
 }  // namespace
 }  // namespace rt::test

@@ -200,6 +200,30 @@ TEST(Cone, OnlyTheNappeBetweenTheCapsExists) {
     EXPECT_EQ(hit.part, 0u);
 }
 
+TEST(Cone, RadiiOfOppositeSignMakeTwoConesTipToTip) {
+    const Cone cone{{0, 0, 0}, 0.4, {0, 1, 0}, -0.4};
+    ShapeHit hit;
+    // From the left at height y the side is |0.4 - 0.8 y| from the axis; its normal leans away from the tip.
+    for (const double y : {0.25, 0.75}) {
+        ASSERT_TRUE(intersect(cone, {{-2, y, 0}, {1, 0, 0}}, {}, hit));
+        EXPECT_NEAR(hit.t, 1.8, 1e-14);
+        const Vec3 n = unit(normal(cone, {-0.2, y, 0}, hit));
+        EXPECT_NEAR(length(n - unit(Vec3(-1, y < 0.5 ? 0.8 : -0.8, 0))), 0.0, 1e-14);
+    }
+    // Down along x = 0.3: the top disc, out through the upper side, in through the lower one, the bottom disc.
+    double after = 0.0;
+    const double expected_t[] = {1.0, 1.125, 1.875, 2.0};
+    const std::uint32_t expected_part[] = {2, 0, 0, 1};
+    for (int i = 0; i < 4; ++i) {
+        ASSERT_TRUE(intersect(cone, {{0.3, 2, 0}, {0, -1, 0}}, {after, infinity}, hit));
+        EXPECT_NEAR(hit.t, expected_t[i], 1e-14);
+        EXPECT_EQ(hit.part, expected_part[i]);
+        after = hit.t + 1e-9;
+    }
+    EXPECT_FALSE(intersect(cone, {{0.3, 2, 0}, {0, -1, 0}}, {after, infinity}, hit));
+    EXPECT_FALSE(intersect(cone, {{0.3, 0.5, -2}, {0, 0, 1}}, {}, hit));
+}
+
 TEST(Box, OriginOnASlabPlaneGivesNoNan) {
     const Box box;
     ShapeHit hit;

@@ -153,5 +153,20 @@ TEST(Torus, DoubleRootsDoNotUnsettleTheOthers) {
     EXPECT_NEAR(hit.t, 4.0 - std::sqrt(0.25 * 0.25 - sqr(0.25 - 1e-12)), 1e-8);
 }
 
+// What POV-Ray shows of torus { -1, 0.3 }: the tube where it is seen through the drum rho < 0.7, |y| < 0.3, lit as from the far side.
+TEST(Torus, NegativeMajorRadiusIsSeenThroughADrum) {
+    const Torus torus{-1.0, 0.3};
+    ShapeHit hit;
+    ASSERT_TRUE(intersect(torus, {{0.6, 0, -3}, {0, 0, 1}}, {}, hit));
+    EXPECT_NEAR(hit.t, 3.0 - std::sqrt(1.69 - 0.36), 1e-14);
+    EXPECT_FALSE(intersect(torus, {{0.75, 0, -3}, {0, 0, 1}}, {}, hit));  // beside the drum
+    EXPECT_FALSE(intersect(torus, {{1.0, 3, 0}, {0, -1, 0}}, {}, hit));   // outside of it
+    EXPECT_FALSE(intersect(torus, {{0, 3, 0}, {0, -1, 0}}, {}, hit));     // through the hole
+    EXPECT_FALSE(intersect(torus, {{-2, 3.1, 0}, {1, -1, 0}}, {}, hit));  // over the drum to the far wall
+    const Vec3 n = unit(normal(torus, {1.3, 0, 0}, hit));
+    EXPECT_NEAR(length(n - Vec3(1, 0, 0)), 0.0, 1e-15);
+    EXPECT_NEAR(length(unit(normal(torus, {0.7, 0, 0}, hit)) - Vec3(1, 0, 0)), 0.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace rt::test

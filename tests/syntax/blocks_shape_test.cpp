@@ -39,7 +39,30 @@ TEST(Shapes, ConeAndCylinder) {
 
 TEST(Shapes, Torus) {
     EXPECT_EQ(only_shape<Torus>("torus { 2, 0.5 sturm }"), (Torus{2.0, 0.5}));
-    EXPECT_EQ(objects_in("torus { -2, 0.5 } torus { 2, -0.5 } torus { 2, 0 }"), 0u);
+    EXPECT_EQ(only_shape<Torus>("torus { -2, 0.5 }"), (Torus{-2.0, 0.5}));
+    EXPECT_EQ(objects_in("torus { 2, 0 } torus { -2, 0 }"), 0u);
+    const ParsedScene invisible = parse_block("torus { 2, -0.5 }");
+    EXPECT_TRUE(invisible.scene.objects.empty());
+    EXPECT_THAT(invisible.messages, ElementsAre(HasSubstr("A torus with a negative minor radius is not visible.")));
+    const ParsedScene both = parse_block("torus { -2, -0.5 }");
+    EXPECT_EQ(both.scene.objects.size(), 1u);
+    EXPECT_THAT(both.messages, ElementsAre(HasSubstr("It is drawn whole.")));
+}
+
+TEST(Shapes, TorusWithoutAMajorRadiusIsASphere) {
+    EXPECT_EQ(only_shape<Sphere>("torus { 0, 0.8 }"), (Sphere{Vec3(0.0), 0.8}));
+    EXPECT_EQ(only_shape<Sphere>("torus { -1e-12, 0.8 }").radius, 0.8);
+    EXPECT_EQ(only_shape<Torus>("torus { 1e-6, 0.8 }").major_radius, 1e-6);
+}
+
+// As POV-Ray draws them: both negative is a cylinder of the smaller radius, one negative a pair of cones.
+TEST(Shapes, ConesOfNegativeRadii) {
+    EXPECT_EQ(only_shape<Cone>("cone { 0, -0.4, y, -0.2 }"), (Cone{Vec3(0.0), 0.2, Vec3(0, 1, 0), 0.2}));
+    EXPECT_EQ(only_shape<Cone>("cone { 0, -0.2, y, -0.4 open }"), (Cone{Vec3(0.0), 0.2, Vec3(0, 1, 0), 0.2, true}));
+    EXPECT_EQ(only_shape<Cone>("cone { 0, -0.4, y, 0 }").base_radius, 0.0);
+    EXPECT_EQ(only_shape<Cone>("cone { 0, 0.4, y, -0.4 }"), (Cone{Vec3(0.0), 0.4, Vec3(0, 1, 0), -0.4}));
+    EXPECT_THAT(parse_block("cone { 0, 0.4, y, -0.4 }").messages, IsEmpty());
+    EXPECT_THAT(parse_block("cone { 0, 0.2, y, -0.4 }").messages, ElementsAre(HasSubstr("It is drawn whole.")));
 }
 
 TEST(Shapes, Disc) {
@@ -90,6 +113,11 @@ TEST(Shapes, PolygonContours) {
     EXPECT_EQ(polygon.points.size(), 10u);
     EXPECT_EQ(polygon.points[9], Vec3(1, 1, 0));
     EXPECT_THAT(p.messages, ElementsAre(HasSubstr("Polygon not closed.")));
+}
+
+TEST(Shapes, APointLeftOverBoundsNothing) {
+    EXPECT_THAT(parse_block("polygon { 6, 0, x, x+y, y, 0, x }").messages,
+                ElementsAre(HasSubstr("Polygon not closed."), HasSubstr("stands alone and bounds nothing.")));
 }
 
 TEST(Shapes, ADoubledFirstPointClosesNoContour) {
