@@ -89,6 +89,8 @@ void Reader::State::message_directive(Word w, const Span& place) {
 /// Restoring a saved version sets it too: the scene then counts as one that states its version.
 void Reader::State::set_version(const Span& place) {
     if (!version_stated && anything_read) version_late = true;
+    // A contextual word, whatever was declared under its name: patched versions of POV-Ray accept their own scenes by it.
+    if (reader.peek().kind == Token::Kind::identifier && reader.peek().text == "unofficial") reader.take();
     const double stated = reader.parse_float();
     if (stated > newest_version + version_tolerance)
         reader.fail(place, fmt::format("Your scene file requires POV-Ray version {:g} or later!", stated));

@@ -105,13 +105,10 @@ Number Expression::junction() {
 
 Number Expression::relation() {
     if (at_string(reader_)) return string_relation();
-    const Span first = reader_.peek().span;
     Number left = sum();
     while (is_relation(reader_.peek())) {
         const char symbol = reader_.take().symbol;
-        const double a = to_float(left, first);
-        const Span second = reader_.peek().span;
-        left = number(holds(symbol, a, to_float(sum(), second)) ? 1.0 : 0.0);
+        left = combine(left, sum(), [symbol](double a, double b) { return holds(symbol, a, b) ? 1.0 : 0.0; });
     }
     return left;
 }

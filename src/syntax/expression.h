@@ -12,7 +12,7 @@ bool is_true(double x);
 bool at_string(Reader& reader);
 
 /// One method a level of the grammar:
-///     condition = junction [ '?' condition ':' condition ]        only inside parentheses and in #if
+///     condition = junction [ '?' condition ':' condition ]        only inside parentheses, in #if and in colours
 ///     junction  = relation { ('&' | '|') relation }               both operators bind alike
 ///     relation  = sum { (< <= > >= = !=) sum }
 ///     sum       = product { (+ | -) product }

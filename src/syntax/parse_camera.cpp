@@ -28,17 +28,20 @@ bool is_type(Word w) {
     }
 }
 
-/// The type, if the block begins with one.
+/// The types that the block begins with; the last one holds.
 Word parse_type(Reader& reader, Camera& camera) {
-    const Token next = reader.peek();
-    if (next.kind != Token::Kind::word || !is_type(next.word)) return Word::perspective;
-    reader.take();
-    if (next.word == Word::orthographic) camera.type = Camera::Type::orthographic;
-    if (next.word == Word::perspective || next.word == Word::orthographic) return next.word;
-    reader.unmodelled(next.span, fmt::format("{} camera", text(next.word)));
-    if (next.word == Word::cylinder) reader.parse_float();
-    if (next.word == Word::mesh_camera) skip_inner_block(reader);
-    return next.word;
+    Token type;
+    type.word = Word::perspective;
+    while (reader.peek().kind == Token::Kind::word && is_type(reader.peek().word)) {
+        type = reader.take();
+        if (type.word == Word::cylinder) reader.parse_float();
+        if (type.word == Word::mesh_camera) skip_inner_block(reader);
+    }
+    if (type.word == Word::orthographic)
+        camera.type = Camera::Type::orthographic;
+    else if (type.word != Word::perspective)
+        reader.unmodelled(type.span, fmt::format("{} camera", text(type.word)));
+    return type.word;
 }
 
 void parse_angle(Reader& reader, Camera& camera, Word type) {

@@ -81,7 +81,7 @@ PigmentColor parse_form(Reader& reader, bool pure) {
     const Gamma& gamma = reader.scene().settings.gamma;
     if (form.srgb && gamma.kind == Gamma::Kind::legacy)
         reader.fail(word.span, "Cannot parse sRGB colors before assumed_gamma has been set.");
-    Number n = reader.parse_number();
+    Number n = reader.parse_condition();
     if (n.size == 1)
         for (int i = 1; i < form.size; ++i) n.v[i] = n.v[0];
     if (n.size > form.size) reader.warn(reader.peek().span, fmt::format("Suspicious expression after {}.", text(word.word)));
@@ -99,7 +99,7 @@ PigmentColor parse_form(Reader& reader, bool pure) {
 }
 
 PigmentColor parse_bare(Reader& reader, bool pure) {
-    Number n = reader.parse_number();
+    Number n = reader.parse_condition();
     if (n.size == 1)
         for (int i = 1; i < (pure ? 3 : 5); ++i) n.v[i] = n.v[0];
     remark(reader, pure, n.v[3] != 0.0 || n.v[4] != 0.0, "filter and transmit components");

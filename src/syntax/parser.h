@@ -11,6 +11,9 @@
 
 namespace rt {
 
+/// How deep blocks and parentheses may be nested on the stack of the calling thread: 1000, or what it surely holds, but at least 100.
+int nesting_that_fits();
+
 struct ParseOptions {
     std::vector<std::string> library_paths;  ///< searched for includes after the including file's folder and the current one
     std::vector<std::pair<std::string, std::string>> declares;  ///< Declare=ID=value: a float, else a string
@@ -23,10 +26,10 @@ struct ParseOptions {
     bool collect_unmodelled = false;                    ///< ... or only collected in Scene::unmodelled (for `requires`)
     std::size_t max_file_bytes = std::size_t{1} << 30;  ///< per file
     int max_include_depth = 100;
-    std::size_t max_includes = 1'000'000;  ///< `#include`s carried out, so that files which include each other twice end
-    int max_nesting = 100;                 ///< of blocks and parentheses: what a stack of 1 MB holds in every build
+    std::size_t max_includes = 1'000'000;   ///< `#include`s carried out, so that files which include each other twice end
+    int max_nesting = nesting_that_fits();  ///< of blocks and parentheses
     /// Of one texture: a colour, or a pattern besides its cells, is one node in each layer. Names make textures double with each line.
-    std::size_t max_texture_nodes = 1000;
+    std::size_t max_texture_nodes = 10'000;
     std::size_t max_texture_depth = 100;  ///< of patterns inside patterns
     /// Of the whole scene: nodes beyond the first of each texture, counted once where objects share it.
     std::size_t max_scene_nodes = 2'000'000;

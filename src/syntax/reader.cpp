@@ -192,6 +192,8 @@ void Reader::count_scene_nodes(const Span& place, std::size_t nodes) {
             place, "Parse Error", fmt::format("The textures of the scene have more than {} pigments beyond the first of each.", most)));
 }
 
+Reader::CountedLayers& Reader::counted_layers() { return state_->counted_layers; }
+
 bool Reader::is_first_use(const TextureLayers& placed) { return state_->placed_textures.insert(placed.identity()).second; }
 
 Span Reader::State::since(const Span& first) const {

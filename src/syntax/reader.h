@@ -53,7 +53,7 @@ public:
     bool at_expression();                  ///< could the next token begin a numeric expression?
     Vec3 parse_vector();                   ///< a float promotes to all three
     Vec2 parse_vector2();
-    Number parse_number();  ///< any size
+    Number parse_condition();  ///< any size; comparisons and choices need no parentheses: what POV-Ray reads where it expects a colour
     std::string parse_string();
     void accept_comma();  ///< commas between parameters are optional
 
@@ -94,6 +94,13 @@ public:
     TextureLayers& default_texture();
     /// Counts what textures add up to and throws LimitError at `place` where it is too much.
     void count_scene_nodes(const Span& place, std::size_t nodes);
+    /// The layers whose size was counted last, null once they were edited.
+    struct CountedLayers {
+        const void* identity = nullptr;
+        std::size_t nodes = 0;
+        std::size_t depth = 0;
+    };
+    CountedLayers& counted_layers();
     bool is_first_use(const TextureLayers& placed);  ///< has no object in the scene had just these layers?
 
     struct State;  ///< internals (reader_state.h) for directives and expressions

@@ -131,6 +131,7 @@ struct Reader::State {
     bool version_late = false;
     TextureLayers default_texture;
     std::size_t scene_nodes = 0;
+    CountedLayers counted_layers;
     std::unordered_set<const void*> placed_textures;  ///< the scene's objects keep them alive
     std::vector<std::uint32_t> random_streams;
 };

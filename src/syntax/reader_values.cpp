@@ -60,16 +60,16 @@ Vec3 Reader::parse_vector() {
 
 Vec2 Reader::parse_vector2() {
     const Span first = peek().span;
-    const Number n = parse_number();
+    const Number n = Expression(*state_).sum();
+    for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
     if (n.size == 1) return Vec2(n.v[0]);
     if (n.size > 3) fail(state_->since(first), "Vector expected but color expression found.");
     return {n.v[0], n.v[1]};
 }
 
-Number Reader::parse_number() {
-    if (Vec3 v; state_->scan_plain_vector(v)) return {{v.x, v.y, v.z}, 3, false};
+Number Reader::parse_condition() {
     const Span first = peek().span;
-    const Number n = Expression(*state_).sum();
+    const Number n = Expression(*state_).condition();
     for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
     return n;
 }

@@ -17,6 +17,12 @@ void add_cell(TreeSize& pattern, const TreeSize& cell) {
     pattern.depth = std::max(pattern.depth, cell.depth + 1);
 }
 
+/// The size of what is stacked upon. Layers that were put on one by one are counted once each.
+TreeSize size_below(Reader& reader, const TextureLayers& layers) {
+    const Reader::CountedLayers& last = reader.counted_layers();
+    return last.identity == layers.identity() ? TreeSize{last.nodes, last.depth} : tree_size(*layers);
+}
+
 }  // namespace
 
 TextureLayers& layers_or_default(Reader& reader, std::optional<TextureLayers>& layers) {
@@ -36,15 +42,18 @@ void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& laye
     }
     if (is_patterned(*layers)) reader.fail(place, "Cannot layer over a patterned texture.");
     if (is_patterned(upper)) reader.fail(place, "Cannot layer a patterned texture over another.");
-    const TreeSize lower_size = tree_size(**layers);
+    const TreeSize lower_size = size_below(reader, *layers);
     const TreeSize upper_size = tree_size(*upper);
-    limit_size(reader, place, {lower_size.nodes + upper_size.nodes, std::max(lower_size.depth, upper_size.depth)});
+    const TreeSize size{lower_size.nodes + upper_size.nodes, std::max(lower_size.depth, upper_size.depth)};
+    limit_size(reader, place, size);
     std::vector<Texture>& all = edit_all(reader, *layers);
     reader.count_scene_nodes(place, upper->size());
     all.insert(all.end(), upper->begin(), upper->end());
+    reader.counted_layers() = {&all, size.nodes, size.depth};
 }
 
 std::vector<Texture>& edit_all(Reader& reader, TextureLayers& layers) {
+    reader.counted_layers() = {};
     const std::vector<Texture>* const before = layers.identity();
     std::vector<Texture>& all = layers.edit();
     if (&all != before) reader.count_scene_nodes(reader.last_place(), all.size() - 1);

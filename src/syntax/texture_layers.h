@@ -9,7 +9,7 @@ namespace rt {
 TextureLayers& layers_or_default(Reader& reader, std::optional<TextureLayers>& layers);
 /// The top layer for editing. Fails at the next token if it is patterned.
 PlainTexture& edit_top(Reader& reader, TextureLayers& layers);
-/// The layers for editing; what has to be copied for it counts.
+/// The layers for editing; what has to be copied for it counts. The only way to edit them: what was counted before is forgotten.
 std::vector<Texture>& edit_all(Reader& reader, TextureLayers& layers);
 /// Stacks `upper` on what is there. Fails at `place` if either is patterned.
 void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& layers, const TextureLayers& upper);

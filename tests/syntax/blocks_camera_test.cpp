@@ -49,6 +49,10 @@ TEST(CameraBlock, FloatsPromoteToVectors) { EXPECT_EQ(camera("location -5 look_a
 TEST(CameraBlock, TypesComeFirst) {
     EXPECT_EQ(camera("perspective angle 30").type, Camera::Type::perspective);
     EXPECT_EQ(camera("orthographic up y").type, Camera::Type::orthographic);
+    EXPECT_EQ(camera("perspective orthographic").type, Camera::Type::orthographic);
+    EXPECT_EQ(camera("orthographic orthographic perspective angle 30").type, Camera::Type::perspective);
+    EXPECT_EQ(with_camera("fisheye cylinder 1 perspective location x").error, "");
+    EXPECT_EQ(with_camera("perspective fisheye").error, "'fisheye camera' is not modelled.");
     EXPECT_EQ(with_camera("angle 40 perspective").error, "No matching } in 'camera', perspective found instead");
     EXPECT_EQ(with_camera("right x orthographic").error, "Expected 'perspective camera modifier', orthographic found instead");
     EXPECT_EQ(with_camera("orthographic angle 3 perspective").error, "Expected 'orthographic camera modifier', perspective found instead");

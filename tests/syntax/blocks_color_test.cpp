@@ -34,6 +34,23 @@ TEST(Colour, FloatsPromoteToTheChannelsOfTheForm) {
     EXPECT_EQ(color("color 2"), make(2, 2, 2, 2, 2));
 }
 
+TEST(Colour, ComparisonsAndChoicesNeedNoParentheses) {
+    EXPECT_EQ(color("rgb 1|0"), make(1, 1, 1, 0, 0));
+    EXPECT_EQ(color("rgb <1,0,3>&<0,1,1>"), make(0, 0, 1, 0, 0));
+    EXPECT_EQ(color("rgb .5<1<2"), make(1, 1, 1, 0, 0));
+    EXPECT_EQ(color("rgb <1,2,3> < 2"), make(1, 0, 0, 0, 0));
+    EXPECT_EQ(color("rgb <1,2,3> = <1,2,4>"), make(1, 1, 0, 0, 0));
+    EXPECT_EQ(color("rgb 0 ? <2,3,4> : <5,6,7>"), make(5, 6, 7, 0, 0));
+    EXPECT_EQ(color("rgb \"a\"=\"a\""), make(1, 1, 1, 0, 0));
+    EXPECT_EQ(color("rgbft .5 > .2"), make(1, 1, 1, 1, 1));
+    EXPECT_EQ(color("color 1|0"), make(1, 1, 1, 1, 1));
+    for (const char* refused : {"sphere { 0, 1|0 }", "sphere { 0, 1 pigment { color red 1|0 } }", "sphere { 0, 1 scale 1|0 }",
+                                "sphere { 0, 1 finish { diffuse 1|0 } }", "sphere { 0, 1 pigment { rgb 1 <1,0,0> } }", "#declare A=1|0;"})
+        EXPECT_NE(parse_block(refused).error, "") << refused;
+    for (const char* taken : {"background { 1|0 }", "light_source { 0, 1|0 }", "sphere { 0, 1 finish { ambient .5>.1 reflection 1|0 } }"})
+        EXPECT_EQ(parse_block(taken).error, "") << taken;
+}
+
 TEST(Colour, TrailingChannelsOverwrite) {
     EXPECT_EQ(color("rgb <1,2,3> red 9 transmit 0.5 filter 0.25"), make(9, 2, 3, 0.25, 0.5));
     EXPECT_EQ(color("red 1 green 2"), make(1, 2, 0, 0, 0));

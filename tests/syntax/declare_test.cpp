@@ -170,6 +170,7 @@ TEST(Macro, MistakesAreNamedAsPovRayNamesThem) {
 TEST(Version, IsKeptAndRestored) {
     EXPECT_EQ(debug_text("#version 3.5; #debug str(version,0,2)"), "3.50");
     EXPECT_EQ(debug_text("#version 3.5+.1; #debug str(version,0,2)"), "3.60");
+    EXPECT_EQ(debug_text("#declare unofficial=3; #version unofficial 3.6; #debug str(version,0,2)"), "3.60");
     EXPECT_EQ(debug_text("#version 3.5; #version 3.7; #debug str(version,0,2)"), "3.70");
     EXPECT_EQ(read_scene("sphere { 0, 1 }").scene->language_version, 0.0);
     EXPECT_EQ(read_scene("#version 3.6; sphere { 0, 1 }").scene->language_version, 3.6);

@@ -13,25 +13,31 @@ std::string repeated(const std::string& part, int count) {
     return text;
 }
 
-/// What reading `scene` on a stack of 1 MB says.
-std::string error_on_small_stack(const std::string& scene) {
-    struct Job {
-        std::string scene, error;
-    } job{scene, "not run"};
+struct Job {
+    std::string scene, error;
+    int limit = 0;
+};
+
+/// What reading `scene` on a stack of so many MB says, and which limit is in force there.
+Job read_on_stack(std::size_t megabytes, const std::string& scene) {
+    Job job{scene, "not run"};
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, std::size_t{1} << 20);
+    pthread_attr_setstacksize(&attributes, megabytes << 20);
     pthread_t thread;
     const auto run = [](void* argument) -> void* {
         Job& job = *static_cast<Job*>(argument);
+        job.limit = nesting_that_fits();
         job.error = read_scene(job.scene).error;
         return nullptr;
     };
     EXPECT_EQ(pthread_create(&thread, &attributes, run, &job), 0);
     pthread_join(thread, nullptr);
     pthread_attr_destroy(&attributes);
-    return job.error;
+    return job;
 }
+
+std::string error_on_small_stack(const std::string& scene) { return read_on_stack(1, scene).error; }
 
 struct Nest {
     const char* before;
@@ -56,16 +62,32 @@ constexpr Nest nests[] = {
     {"", "#default { ", "", "}", ""},
 };
 
-TEST(Nesting, TheDeepestFitsASmallStack) {
+void expect_deepest_fits(std::size_t megabytes) {
     for (const Nest& nest : nests) {
-        const auto scene = [&](int depth) {
-            return nest.before + repeated(nest.open, depth) + nest.inner + repeated(nest.close, depth) + nest.after;
+        const auto read = [&](int depth) {
+            return read_on_stack(megabytes,
+                                 nest.before + repeated(nest.open, depth) + nest.inner + repeated(nest.close, depth) + nest.after);
         };
-        EXPECT_EQ(error_on_small_stack(scene(30)), "") << nest.open;
+        EXPECT_EQ(read(30).error, "") << nest.open;
         // Some of these count more than one level each: on the way to the limit every depth is read.
-        const std::string error = error_on_small_stack(scene(1000));
-        EXPECT_NE(error.find("nested more than 100 deep."), std::string::npos) << nest.open << error;
+        const Job deep = read(1100);
+        EXPECT_NE(deep.error.find("nested more than " + std::to_string(deep.limit) + " deep."), std::string::npos)
+            << nest.open << deep.error;
     }
+}
+
+TEST(Nesting, TheDeepestFitsASmallStack) { expect_deepest_fits(1); }
+TEST(Nesting, TheDeepestFitsTheUsualStack) { expect_deepest_fits(8); }
+
+TEST(Nesting, TheLimitFollowsTheStack) {
+    const int small = read_on_stack(1, "").limit;
+    const int usual = read_on_stack(8, "").limit;
+    EXPECT_GE(small, 100);
+    EXPECT_LE(small, 128);
+    EXPECT_GE(usual, 500);
+    EXPECT_LE(usual, 1000);
+    EXPECT_EQ(read_on_stack(1000, "").limit, 1000);
+    EXPECT_EQ(read_on_stack(8, "sphere { 0, " + repeated("(", usual - 10) + "1" + repeated(")", usual - 10) + "}").error, "");
 }
 
 TEST(Nesting, DeepTexturesInDeepBlocksFitASmallStack) {

@@ -68,9 +68,17 @@ TEST(TextureLimit, IsMetExactly) {
     }
 }
 
-TEST(TextureLimit, TheDefaultIsAThousand) {
-    EXPECT_EQ(read_scene(doubling(first_texture, layers, 9)).error, "");
-    EXPECT_TRUE(read_scene(doubling(first_texture, layers, 10)).limit);
+TEST(TextureLimit, TheDefaultIsTenThousand) {
+    EXPECT_EQ(read_scene(doubling(first_texture, layers, 13)).error, "");
+    EXPECT_TRUE(read_scene(doubling(first_texture, layers, 14)).limit);
+}
+
+TEST(TextureLimit, LayersThatGrowAfterTheyWereCountedAreCountedAgain) {
+    ParseOptions options;
+    options.max_texture_nodes = 6;
+    const std::string text = "#declare C = pigment { checker rgb 1 rgb 0 } sphere { 0, 1 texture { } texture { } pigment { C } texture { }";
+    EXPECT_EQ(error_text(text + " texture { } }", options), "");  // 1 + 3 + 1 + 1
+    EXPECT_EQ(error_text(text + " texture { } texture { } }", options), "A texture has more than 6 pigments in its layers and cells.");
 }
 
 const std::string pigment_chain = "#declare {1} = pigment {{ checker pigment {{ {0} }} pigment {{ rgb 1 }} }}\n";
@@ -117,7 +125,7 @@ TEST(TextureLimit, NamesCountTogether) {
 TEST(TextureLimit, ManyLayersAreRefusedAtOnce) {
     std::string text = "#declare A =";
     for (int i = 0; i < 100'001; ++i) text += " texture { }";
-    EXPECT_EQ(error_text(text), "A texture has more than 1000 pigments in its layers and cells.");
+    EXPECT_EQ(error_text(text), "A texture has more than 10000 pigments in its layers and cells.");
 }
 
 }  // namespace
