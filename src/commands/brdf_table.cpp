@@ -16,6 +16,8 @@ namespace rt {
 
 namespace {
 
+constexpr std::size_t most_lines = 1'000'000, most_columns = 1000;
+
 std::string_view without_blanks(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
@@ -36,6 +38,7 @@ std::string shown(std::string_view cell) {
 BrdfTable::BrdfTable(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
     std::string_view rest = text_;
     for (std::size_t number = 1; !rest.empty(); ++number) {
+        if (number > most_lines) throw LimitError(fmt::format("{}: more than {} lines", name_, most_lines));
         const std::size_t end = rest.find('\n');
         add(split(rest.substr(0, end), number));
         rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
@@ -59,6 +62,7 @@ BrdfTable::Line BrdfTable::split(std::string_view text, std::size_t number) cons
 void BrdfTable::add(Line line) {
     if (line.kind == Line::Kind::header) {
         header_ = lines_.size();
+        if (line.cells.size() > most_columns) throw LimitError(fmt::format("{}: more than {} columns", name_, most_columns));
         for (auto cell = line.cells.begin(); cell != line.cells.end(); ++cell)
             if (std::find(line.cells.begin(), cell, *cell) != cell) fail(line, fmt::format("column '{}' appears twice", shown(*cell)));
     } else if (line.kind == Line::Kind::row && line.cells.size() != header().cells.size()) {
@@ -95,7 +99,7 @@ Vec3 BrdfRow::vector(std::string_view name) const {
 }
 
 std::string read_table_text(const std::string& path) {
-    constexpr std::size_t most = std::size_t{256} << 20;
+    constexpr std::size_t most = std::size_t{32} << 20;
     const bool standard = path == "-";
     const std::string name = standard ? "standard input" : path;
     const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -106,7 +110,7 @@ std::string read_table_text(const std::string& path) {
     char block[1 << 16];
     for (std::size_t n = 0; (n = std::fread(block, 1, sizeof block, file)) > 0;) {
         text.append(block, n);
-        if (text.size() > most) throw LimitError(fmt::format("{} is larger than 256 MiB", name));
+        if (text.size() > most) throw LimitError(fmt::format("{} is larger than 32 MiB", name));
     }
     if (std::ferror(file)) throw OptionError(fmt::format("cannot read '{}': {}", name, std::strerror(errno)));
     return text;

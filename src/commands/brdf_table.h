@@ -13,6 +13,7 @@ namespace rt {
 class BrdfTable {
 public:
     /// `name` is what messages call the table. Throws unless there is a header of distinct names and every row has as many cells.
+    /// Throws LimitError beyond 1,000,000 lines or 1,000 columns.
     BrdfTable(std::string name, std::string text);
     BrdfTable(const BrdfTable&) = delete;  // cells are views into the text
     BrdfTable& operator=(const BrdfTable&) = delete;
@@ -58,7 +59,7 @@ private:
     const BrdfTable::Line& line_;
 };
 
-/// The whole of a file, or of standard input where `path` is "-". Throws OptionError if it cannot be read, LimitError beyond 256 MiB.
+/// The whole of a file, or of standard input where `path` is "-". Throws OptionError if it cannot be read, LimitError beyond 32 MiB.
 std::string read_table_text(const std::string& path);
 
 }  // namespace rt

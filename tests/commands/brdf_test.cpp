@@ -192,6 +192,19 @@ TEST(BrdfTables, EveryOneIsWithinItsTolerance) {
     EXPECT_EQ(outcome.out.find("beyond:"), std::string::npos);
 }
 
+TEST_F(Brdf, TablesHaveLimits) {
+    const Outcome lines = check("terms_D.csv", "id\n" + std::string(1'000'000, '\n'));
+    EXPECT_EQ(lines.status, 4);
+    EXPECT_EQ(lines.err, "raytrace: terms_D.csv: more than 1000000 lines\n");
+    const Outcome columns = check("terms_D.csv", std::string(1000, ','));
+    EXPECT_EQ(columns.status, 4);
+    EXPECT_EQ(columns.err, "raytrace: terms_D.csv: more than 1000 columns\n");
+    EXPECT_EQ(run({"brdf", "check", "/dev/zero/terms_D.csv"}).status, 1);
+    const Outcome bytes = eval("terms_D", std::string(33u << 20, '#'));
+    EXPECT_EQ(bytes.status, 4);
+    EXPECT_EQ(bytes.err, "raytrace: standard input is larger than 32 MiB\n");
+}
+
 TEST_F(Brdf, WrongWordsSayWhatIsExpected) {
     const std::string see = "; see raytrace brdf --help\n";
     EXPECT_EQ(run({"brdf"}).err, "raytrace: brdf: expected 'eval' or 'check'" + see);
