@@ -72,17 +72,17 @@ finish alone. The command line wins.
 constexpr const char* shading_head =
     R"(--shading povray is POV-Ray's own finish model; general (default) and others:
 r = ka + sum lc (n.l) [(1-s) kd rd + s D G F / (4 n.l n.v)] and its relatives.
---alpha roughness2|povray|direct|X: width of the lobe from 'roughness', or X.
---distances povray|scaled --precision fast|exact --index NAME. Names and the
-texts they come from (S0 demo S1 course S2 Gooch S3 lamps S4 lecture X none):
+--alpha roughness2|povray|direct|X (the width itself) from 'roughness'.
+--environment FILE (or six of a cube: +x,-x,+y,-y,+z,-z): seen past the scene.
+Texts of the names: S0 demo, S1 course, S2 Gooch, S3 lamps, S4 lecture, X none.
 )";
 constexpr const char* shading_foot =
-    R"(Numbers: --s --eta --k --f0 (one or R,G,B) --exponent --sigma --dw
-Variants of the texts: --fresnel-arg nv --half nv --norm ct1982|ct4m2 --raw on
---blinn-power inverse-roughness --units physical --denominator clamped
---ambient per-light --attenuate-ambient on --clamp after --phong-gate off
---gooch as-printed. In a scene, for the file or inside one finish:
-    //! raytrace: D=beckmann alpha=0.2
+    R"(Numbers: --s --eta --k --f0 (one or R,G,B) --exponent --sigma --dw --range
+--att-coefficients C,L,Q. Variants: --fresnel-arg nv --half nv --raw on
+--norm ct1982|ct4m2 --blinn-power inverse-roughness --units physical
+--denominator clamped --ambient per-light --attenuate-ambient on --clamp after
+--phong-gate off --gooch as-printed --spot exponent. In a scene or one finish:
+//! raytrace: D=beckmann alpha=0.2
 )";
 const std::string& shading_topic() {
     static const std::string text = shading_head + catalogue_text() + shading_foot;

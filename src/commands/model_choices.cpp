@@ -155,6 +155,18 @@ constexpr std::array keys{
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.clamp_after = second_of(key, v, "before", "after"); }},
     Key{{"phong-gate", "on|off", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.phong_gate = !second_of(key, v, "on", "off"); }},
+    Key{{"att", "NAME", ""},
+        [](ModelChoice& c, std::string_view key, std::string_view v) { c.lamps.law.kind = named(attenuation_names, key, v); }},
+    Key{{"att-coefficients", "C,L,Q", ""},
+        [](ModelChoice& c, std::string_view key, std::string_view v) {
+            const Rgb numbers = channels(key, v, 0.0, any);
+            if (numbers == Rgb(0.0)) throw OptionError(fmt::format("{}: not all of them can be 0", key));
+            c.lamps.law.kind = Attenuation::polynomial;
+            c.lamps.law.constant = numbers[0], c.lamps.law.linear = numbers[1], c.lamps.law.quadratic = numbers[2];
+        }},
+    Key{{"range", "X", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.lamps.law.range = number(key, v, 0.0, any); }},
+    Key{{"spot", "povray|exponent", ""},
+        [](ModelChoice& c, std::string_view key, std::string_view v) { c.lamps.exponent_spots = second_of(key, v, "povray", "exponent"); }},
     Key{{"gooch", "warm|as-printed", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) {
             c.model.gooch.as_printed = second_of(key, v, "warm", "as-printed");
@@ -199,6 +211,8 @@ void list(std::string& text, std::string_view key, const std::array<Named<T>, N>
 
 }  // namespace
 
+bool is_lamp_key(std::string_view key) { return key == "att" || key == "att-coefficients" || key == "range" || key == "spot"; }
+
 bool is_model_key(std::string_view key) {
     return std::any_of(keys.begin(), keys.end(), [&](const Key& known) { return known.text.key == key; });
 }
@@ -234,6 +248,7 @@ std::string catalogue_text() {
     list(text, "D", distribution_names);
     list(text, "G", masking_names);
     list(text, "F", fresnel_names);
+    list(text, "att", attenuation_names);
     list(text, "preset", preset_names);
     list(text, "material", material_names);
     return text;

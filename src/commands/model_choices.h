@@ -19,6 +19,9 @@ struct ModelOption {
 /// Whether `key` chooses from the catalogue; other keys of a scene's comments are settings of the whole picture.
 bool is_model_key(std::string_view key);
 
+/// Of those, the ones about all lamps of a picture, which no single finish can choose.
+bool is_lamp_key(std::string_view key);
+
 /// The keys of the catalogue that are options of the command line as well, with a line of help each.
 struct ModelKey {
     std::string_view key, values, help;

@@ -133,6 +133,11 @@ void define_shading(CommandLine& line, RenderJob& job) {
             job.model.push_back({name, v});
         });
     }
+    line.value("--environment", "FILE", "", [&](const std::string& v) {
+        job.environment = split(v, ',');
+        if (job.environment.size() != 1 && job.environment.size() != 6)
+            throw OptionError(fmt::format("environment: expected one picture or six separated by commas, not {}", job.environment.size()));
+    });
     line.value("--distances", "NAME", "scaled (default) or povray",
                [&](const std::string& v) { job.distances = value_of_name(distances_names, "rule of distances", v); });
     line.value("--precision", "NAME", "fast or exact triangles",

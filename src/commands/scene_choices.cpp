@@ -46,7 +46,8 @@ private:
 
 void check_finish(const Scene& scene, const std::vector<SceneOption>& options) {
     for (const SceneOption& option : options) {
-        if (!is_model_key(option.key)) fail(scene, option, fmt::format("'{}' is for the whole picture, not for one finish", option.key));
+        if (!is_model_key(option.key) || is_lamp_key(option.key))
+            fail(scene, option, fmt::format("'{}' is for the whole picture, not for one finish", option.key));
         if (option.key == "shading" && option.value == "povray")
             fail(scene, option, "shading: 'povray' is for the whole picture, not for one finish");
     }

@@ -14,6 +14,7 @@
 #include "commands/progress.h"
 #include "commands/scene_choices.h"
 #include "commands/stats.h"
+#include "commands/surroundings.h"
 #include "commands/text.h"
 #include "commands/values.h"
 #include "film/image_file.h"
@@ -65,7 +66,8 @@ CompileOptions compile_options(const RenderJob& job, const Scene& scene) {
     return options;
 }
 
-RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
+RenderOptions render_options(const RenderJob& job, const Scene& scene) {
+    const Gamma& gamma = scene.settings.gamma;
     RenderOptions options;
     options.width = job.width;
     options.height = job.height;
@@ -75,10 +77,9 @@ RenderOptions render_options(const RenderJob& job, const Gamma& gamma) {
     options.alpha = job.output_alpha;
     options.working_gamma = gamma.power;
     options.working_srgb = gamma.kind == Gamma::Kind::srgb;
-    options.alpha = job.output_alpha;
-    options.working_srgb = gamma.kind == Gamma::Kind::srgb;
     options.trace.shading = *job.shading;
     options.trace.distances = *job.distances;
+    if (*job.shading == ShadingModel::general) options.trace.lamps = choice_for(scene, {}, job.model).lamps;
     options.trace.max_trace_level = job.max_trace_level;
     if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);
     return options;
@@ -93,12 +94,13 @@ void check_output(const RenderJob& job, const MessageSink& messages) {
     if (target.path != "-") check_image_target(target.path, target.format);
 }
 
-RenderResult trace(const World& world, const RenderJob& job, const Gamma& gamma, const StopOnSignal& signals) {
-    RenderOptions options = render_options(job, gamma);
+RenderResult trace(const World& world, const RenderJob& job, const Scene& scene, const StopOnSignal& signals) {
+    RenderOptions options = render_options(job, scene);
     const Region all{0, 0, job.width, job.height};
     const Region seen = options.region.value_or(all);
     Progress progress(job.progress && !job.quiet, static_cast<double>(seen.x1 - seen.x0) * (seen.y1 - seen.y0));
     options.stop = &signals.stop();
+    options.trace.environment = read_surroundings(job.environment);
     if (progress.shown()) options.progress = [&](double done) { progress.update(done); };
     return render(world, options);
 }
@@ -165,7 +167,7 @@ int run_session(RenderJob job) {
     RenderResult result;
     {
         const Timed timed(stats.phases.trace);
-        result = trace(world, job, scene.settings.gamma, signals);
+        result = trace(world, job, scene, signals);
     }
     if (result.non_finite > 0) messages(fmt::format("raytrace: warning: {} pixels were not finite and are black", result.non_finite));
     int status = 0;

@@ -32,6 +32,12 @@ inline double attenuation(const AttenuationLaw& law, double distance) {
     return 0.0;
 }
 
+/// What all lamps of a picture obey beside their own description.
+struct LampRules {
+    AttenuationLaw law;
+    bool exponent_spots = false;  ///< a spotlight's beam is spot() with its tightness as the exponent, without a cone's edge
+};
+
 /// max(-l.a, 0)^q across the beam of a spot that shines along `axis` (any length); l points to the lamp. 0 behind it, also for q = 0.
 inline double spot(const Vec3& axis, const Vec3& l, double exponent) {
     const Vec3 sine = accurate_cross(axis, l);

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "shading/lamps.h"
 #include "shading/terms.h"
 
 namespace rt {
@@ -58,6 +59,11 @@ inline constexpr std::array<Named<Diffuse>, 4> diffuse_names{{{"lambert", Diffus
                                                               {"gooch", Diffuse::gooch, "S2"},
                                                               {"none", Diffuse::none, "S0"}}};
 
+inline constexpr std::array<Named<Attenuation>, 4> attenuation_names{{{"none", Attenuation::none, "S0 S1 S4"},
+                                                                      {"1+d+d2", Attenuation::one_d_d2, "S3"},
+                                                                      {"polynomial", Attenuation::polynomial, "X"},
+                                                                      {"inverse-square", Attenuation::inverse_square, "X"}}};
+
 /// What `shading` selects beside POV-Ray's own finish model.
 enum class Model { cook_torrance, phong, blinn_phong, ct_effects, ct_effects_linear, lecture, none };
 inline constexpr std::array<Named<Model>, 8> model_names{{{"general", Model::cook_torrance, "S1"},
@@ -70,14 +76,15 @@ inline constexpr std::array<Named<Model>, 8> model_names{{{"general", Model::coo
                                                           {"none", Model::none, "X"}}};
 
 /// A preset is a row of choices, a material a row of constants; written as in a scene's comment.
-inline constexpr std::array<Named<std::string_view>, 7> preset_names{
+inline constexpr std::array<Named<std::string_view>, 8> preset_names{
     {{"modern", "shading=cook-torrance D=ggx G=ggx F=schlick", "S1"},
      {"classic", "shading=cook-torrance D=beckmann G=cook-torrance F=schlick", "S0 S4"},
      {"course-blinn", "shading=cook-torrance D=blinn G=cook-torrance F=schlick", "S1"},
      {"reference", "shading=cook-torrance D=ggx G=ggx-hc F=conductor", "X"},
      {"effects", "shading=ct-effects dw=1e-4", "S0"},
      {"lecture", "shading=lecture", "S4"},
-     {"gooch-ct", "shading=cook-torrance D=beckmann G=cook-torrance F=schlick diffuse=gooch", "S2"}}};
+     {"gooch-ct", "shading=cook-torrance D=beckmann G=cook-torrance F=schlick diffuse=gooch", "S2"},
+     {"phong-lights", "shading=phong att=1+d+d2", "S3"}}};
 
 /// Indices at about 650, 550 and 450 nm.
 inline constexpr std::array<Named<std::string_view>, 5> material_names{

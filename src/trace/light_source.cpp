@@ -12,12 +12,14 @@ Vec3 unit_or_zero(const Vec3& v) {
 
 }  // namespace
 
-LightSource::LightSource(const Light& light)
+LightSource::LightSource(const Light& light, const LampRules& rules)
     : light_(&light),
+      rules_(rules),
       axis_(unit_or_zero(light.point_at - light.location)),
       cos_radius_(std::cos(radians(light.radius))),
       cos_falloff_(std::cos(radians(light.falloff))),
-      fades_(light.fade_power > 0.0 && std::fabs(light.fade_distance) > 1e-10) {}
+      fades_(light.fade_power > 0.0 && std::fabs(light.fade_distance) > 1e-10),
+      thins_(!light.parallel && (rules.law.kind != Attenuation::none || rules.law.range < AttenuationLaw::infinite)) {}
 
 LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
     const Vec3 to_light = location - point;
@@ -32,6 +34,7 @@ LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
 }
 
 double LightSource::cone(const Vec3& from_light) const {
+    if (rules_.exponent_spots) return spot(axis_, -from_light, light_->tightness);
     const double a = dot(axis_, from_light);
     if (!(a > 0.0)) return 0.0;
     double factor = light_->tightness == 0.0 ? 1.0 : std::pow(std::fmin(a, 1.0), light_->tightness);
@@ -62,6 +65,7 @@ double LightSource::attenuation(const Vec3& point, const LightRay& ray) const {
     if (light_->type == Light::Type::spotlight) factor = cone(ray.distance < 0.0 ? ray.direction : -ray.direction);
     if (light_->type == Light::Type::cylinder) factor = cylinder(point);
     if (fades_ && factor != 0.0) factor *= fade(ray.distance);
+    if (thins_ && factor != 0.0) factor *= rt::attenuation(rules_.law, ray.distance);
     return factor;
 }
 

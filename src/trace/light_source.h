@@ -14,7 +14,7 @@ struct LightRay {
 /// A light with everything derived from it that does not depend on the point.
 class LightSource {
 public:
-    explicit LightSource(const Light& light);
+    LightSource(const Light& light, const LampRules& rules);
 
     const Light& light() const { return *light_; }
     const AreaLight* area() const { return light_->area ? &*light_->area : nullptr; }
@@ -24,7 +24,7 @@ public:
     LightRay towards(const Vec3& location, const Vec3& point) const;
 
     /// Factor on the light's colour at `point` along `ray`, which may lead to a sample: spot cone, cylinder (always the central one),
-    /// fading with distance. Not NaN.
+    /// fading with distance, the law of all lamps. Not NaN.
     double attenuation(const Vec3& point, const LightRay& ray) const;
 
 private:
@@ -33,9 +33,11 @@ private:
     double fade(double distance) const;
 
     const Light* light_;
+    LampRules rules_;
     Vec3 axis_{0.0};  ///< unit, the way the light shines; zero if location and point_at are one
     double cos_radius_ = 0.0, cos_falloff_ = 0.0;
     bool fades_ = false;
+    bool thins_ = false;  ///< by the rules' law
 };
 
 /// The grid of an area light, turned towards a point where it says `orient`.

@@ -15,7 +15,7 @@ Lighting::Lighting(const World& world, const TraceOptions& options, const Distan
       general_(options.shading == ShadingModel::general && world.features.catalogue),
       cast_shadows_(options.quality.shadows),
       shadows_(world, rules, options) {
-    for (const Light& light : world.lights) sources_.emplace_back(light);
+    for (const Light& light : world.lights) sources_.emplace_back(light, options.lamps);
 }
 
 Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,

@@ -1,9 +1,14 @@
 // What a user can choose about tracing, with POV-Ray's defaults.
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "shading/lamps.h"
+
 namespace rt {
+
+class Environment;
 
 enum class ShadingModel {
     general,  ///< the general microfacet form
@@ -33,6 +38,8 @@ struct TraceOptions {
     std::optional<int> max_trace_level;  ///< overrides the scene's
     std::optional<double> adc_bailout;   ///< likewise
     Quality quality;
+    LampRules lamps;
+    std::shared_ptr<const Environment> environment;  ///< instead of the scene's background
 };
 
 /// How pixels become samples.

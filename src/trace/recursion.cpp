@@ -4,6 +4,7 @@
 
 #include "shading/optics.h"
 #include "shading/povray_finish.h"
+#include "trace/environment.h"
 
 namespace rt {
 namespace {
@@ -41,6 +42,7 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       rules_(options.distances, world.scene_extent),
       lighting_(world, options, rules_),
       layers_at_(world, options.quality.quick_colors),
+      environment_(options.environment),
       max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, 256)),
       adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {}
 
@@ -67,8 +69,14 @@ void Recursion::camera_rays(std::span<const Ray> rays, std::span<Radiance> light
 
 void Recursion::start(const Ray& ray, const FirstHit* first, Radiance& result) {
     ++counts.camera;
-    interiors_.assign(world_.camera_interiors.begin(), world_.camera_interiors.end());
     const Path path{.ray = ray};
+    if (first != nullptr && first->hit == nullptr && log_ == nullptr && path.weight >= adc_bailout_) {
+        // Most pixels of many pictures: nothing to prepare, nothing to follow.
+        result = {};
+        leave_scene(path, result, nullptr);
+        return;
+    }
+    interiors_.assign(world_.camera_interiors.begin(), world_.camera_interiors.end());
     trace(path, 0, start_node(RayNode::none, RayNode::Kind::camera, path, Rgb(1.0), 1.0), first, result);
     result.rgb = {overflowed(result.rgb.r), overflowed(result.rgb.g), overflowed(result.rgb.b)};
 }
@@ -111,9 +119,7 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     Hit searched;
     const Hit* found = known != nullptr ? known->hit : world_.nearest(path.ray, rules_.traced(), path.kind, searched) ? &searched : nullptr;
     if (found == nullptr) {
-        result.rgb += path.filter * world_.background;
-        result.transmittance = path.transmittance * world_.background_transmit;
-        if (RayNode* record = node(at_node)) record->end = RayNode::End::background, record->background = world_.background;
+        leave_scene(path, result, node(at_node));
         return false;
     }
     const CompiledObject& object = world_.objects[found->object];
@@ -135,6 +141,13 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     layers_.resize(surface.first_layer);
     mirrors_.resize(surface.first_mirror);
     return goes_on;
+}
+
+void Recursion::leave_scene(const Path& path, Radiance& result, RayNode* record) const {
+    const Rgb light = environment_ ? environment_->at(path.ray.direction) : world_.background;
+    result.rgb += path.filter * light;
+    result.transmittance = environment_ ? 0.0 : path.transmittance * world_.background_transmit;
+    if (record != nullptr) record->end = RayNode::End::background, record->background = light;
 }
 
 SurfacePoint Recursion::surface_point(const Ray& ray, const Hit& hit) const {

@@ -61,6 +61,7 @@ private:
     void reflect_layers(const Surface& surface, const Path& path, Radiance& result);
     std::uint32_t start_node(std::uint32_t parent, RayNode::Kind kind, const Path& path, const Rgb& factor, double exponent);
     RayNode* node(std::uint32_t index);
+    void leave_scene(const Path& path, Radiance& result, RayNode* record) const;
     void log_surface(RayNode& record, const Surface& surface, const Hit& hit) const;
     std::span<const std::uint32_t> inside() const { return std::span(interiors_).subspan(first_interior_); }
 
@@ -69,6 +70,7 @@ private:
     DistanceRules rules_;
     Lighting lighting_;
     SurfaceLayers layers_at_;
+    std::shared_ptr<const Environment> environment_;
     int max_level_;
     double adc_bailout_;
 

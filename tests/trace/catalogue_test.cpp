@@ -15,19 +15,28 @@ constexpr double diffuse = 0.7, specular = 0.4, roughness = 0.5, width = 0.25;
 struct Case {
     Vec3 v{1.2, 2.0, -0.7};
     std::vector<Vec3> lamps{{-2.0, 5.0, 1.5}};
+    LampRules rules{};
+    std::optional<Vec3> spot_at{};  ///< the lamps are spotlights with tightness 10
 
     Rgb traced(const ModelChoice& choice) const {
         Finish finish = plain(ambient, diffuse);
         finish.specular = specular;
         finish.roughness = roughness;
         std::vector<Light> lights;
-        for (const Vec3& lamp : lamps) lights.push_back(point_light(lamp));
+        for (const Vec3& lamp : lamps) {
+            lights.push_back(point_light(lamp));
+            if (!spot_at) continue;
+            lights.back().type = Light::Type::spotlight;
+            lights.back().point_at = *spot_at;
+            lights.back().tightness = 10.0;
+        }
         const Scene scene = scene_with({object(floor_plane(), texture(color(albedo), finish))}, lights);
         CompileOptions options;
         options.choose = [&](const Finish&) { return choice; };
         const World world = compile(scene, options, [](std::string_view) {});
         TraceOptions trace;
         trace.distances = Distances::povray;
+        trace.lamps = rules;
         return Tracer(world, trace).camera_ray({v, unit(-v)}).rgb;
     }
 
@@ -137,6 +146,32 @@ TEST(Catalogue, gooch_is_the_mean_over_the_lamps_and_has_no_shadow) {
     EXPECT_RGB_NEAR(c.traced(choice), want, 1e-12);
     choice.model.gooch.as_printed = true;
     EXPECT_RGB_NEAR(c.traced(choice), 2.0 * albedo * ambient + cool + warm - want, 1e-12) << "the mirror image";
+}
+
+TEST(Catalogue, lamps_thin_out_by_the_law_and_spots_by_their_exponent) {
+    Case c;
+    const ModelChoice choice = with(SurfaceModel::Specular::none);
+    const Rgb base = albedo * ambient, lit = diffuse * c.nl() * albedo;
+    const double d = length(c.lamps[0]);
+    const auto at = [&](Attenuation kind) {
+        Case copy = c;
+        copy.rules.law.kind = kind;
+        copy.rules.law.constant = 0.5, copy.rules.law.linear = 0.2, copy.rules.law.quadratic = 0.1;
+        return copy.traced(choice);
+    };
+    EXPECT_RGB_NEAR(at(Attenuation::none), base + lit, 1e-12);
+    EXPECT_RGB_NEAR(at(Attenuation::one_d_d2), base + lit / (1.0 + d + d * d), 1e-12);
+    EXPECT_RGB_NEAR(at(Attenuation::polynomial), base + lit / (0.5 + 0.2 * d + 0.1 * d * d), 1e-12);
+    EXPECT_RGB_NEAR(at(Attenuation::inverse_square), base + lit / (d * d), 1e-12);
+    c.rules.law.range = d * (1.0 + 1e-12);
+    EXPECT_RGB_NEAR(c.traced(choice), base + lit, 1e-12) << "lit at the range itself";
+    c.rules.law.range = d * (1.0 - 1e-12);
+    EXPECT_RGB_NEAR(c.traced(choice), base, 1e-12);
+    c.rules = {};
+    c.spot_at = Vec3(0.7, 0.0, -0.3);
+    c.rules.exponent_spots = true;
+    const double k = std::pow(dot(unit(*c.spot_at - c.lamps[0]), -c.l()), 10.0);
+    EXPECT_RGB_NEAR(c.traced(choice), base + k * lit, 1e-12);
 }
 
 TEST(Catalogue, ambient_light_from_every_lamp) {
