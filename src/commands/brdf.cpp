@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "commands/brdf_rows.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/help.h"
 #include "commands/text.h"
+#include "commands/values.h"
 #include "core/source.h"
+#include "shading/integrals.h"
+#include "shading/names.h"
 
 namespace rt {
 
@@ -89,10 +93,71 @@ bool check(const std::string& path) {
     return good;
 }
 
+/// What the integrals are asked for; empty lists and names mean the usual ones.
+struct IntegralRequest {
+    std::optional<Distribution> D;
+    std::optional<Masking> G;
+    std::vector<double> alphas{0.05, 0.1, 0.25, 0.5, 1.0};
+};
+
+void define_integrals(CommandLine& line, IntegralRequest& request) {
+    const auto known = [](const auto& table, std::string_view what, const std::string& name) {
+        const auto value = find_named(table, name);
+        if (!value) throw OptionError(fmt::format("'{}' is no {}; expected one of {}", name, what, known_names(table)));
+        return *value;
+    };
+    line.value("--D", "NAME", "distribution of the integrals; all of them",
+               [&, known](const std::string& v) { request.D = known(distribution_names, "D", v); });
+    line.value("--G", "NAME", "masking of the albedo; all of them",
+               [&, known](const std::string& v) { request.G = known(masking_names, "G", v); });
+    line.value("--alpha", "X,Y,...", "widths; 0.05,0.1,0.25,0.5,1", [&](const std::string& v) {
+        request.alphas.clear();
+        for (const std::string& word : split(v, ',')) request.alphas.push_back(real_number("alpha", word, 1e-8, 10.0));
+    });
+}
+
+std::string alpha_heading(const IntegralRequest& request, std::string_view first) {
+    std::string text = fmt::format("{:<28}", first);
+    for (const double alpha : request.alphas) text += fmt::format("  alpha {:<14g}", alpha);
+    return text + "\n";
+}
+
+int print_normalization(const IntegralRequest& request) {
+    std::string text = "integral of D (n.m) over the hemisphere; 1 if normalised\n" + alpha_heading(request, "D");
+    for (const auto& entry : distribution_names) {
+        if (request.D && *request.D != entry.value) continue;
+        text += fmt::format("{:<28}", entry.name);
+        for (const double alpha : request.alphas) text += fmt::format("  {:<20.15g}", normalization(entry.value, alpha));
+        text += "\n";
+    }
+    write_stdout(text);
+    return 0;
+}
+
+int print_albedo(const IntegralRequest& request) {
+    std::string text = "directional albedo with F = 1 at n.v = 1 / 0.5 / 0.1\n" + alpha_heading(request, "D, G");
+    for (const auto& D : distribution_names) {
+        if (request.D && *request.D != D.value) continue;
+        for (const auto& G : masking_names) {
+            if (request.G && *request.G != G.value) continue;
+            text += fmt::format("{:<28}", fmt::format("{}, {}", D.name, G.name));
+            for (const double alpha : request.alphas) {
+                const auto at = [&](double n_dot_v) { return directional_albedo(D.value, G.value, alpha, n_dot_v); };
+                text += fmt::format("  {:<20}", fmt::format("{:.3f}/{:.3f}/{:.3f}", at(1.0), at(0.5), at(0.1)));
+            }
+            text += "\n";
+        }
+    }
+    write_stdout(text);
+    return 0;
+}
+
 }  // namespace
 
 int run_brdf(const Words& words) {
     CommandLine line(brdf_usage, brdf_footer);
+    IntegralRequest request;
+    define_integrals(line, request);
     const Words rest = line.parse(words);
     if (line.help_asked()) {
         write_stdout(line.help());
@@ -109,7 +174,9 @@ int run_brdf(const Words& words) {
         for (std::size_t i = 1; i < rest.size(); ++i) good = check(rest[i]) && good;
         return good ? 0 : 1;
     }
-    throw OptionError(fmt::format("brdf: expected 'eval' or 'check'{}; see raytrace brdf --help",
+    if (action == "normalization" && rest.size() == 1) return print_normalization(request);
+    if (action == "albedo" && rest.size() == 1) return print_albedo(request);
+    throw OptionError(fmt::format("brdf: expected 'eval', 'check', 'normalization' or 'albedo'{}; see raytrace brdf --help",
                                   action.empty() ? "" : fmt::format(" instead of '{}'", action)));
 }
 

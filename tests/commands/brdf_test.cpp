@@ -207,12 +207,30 @@ TEST_F(Brdf, TablesHaveLimits) {
 
 TEST_F(Brdf, WrongWordsSayWhatIsExpected) {
     const std::string see = "; see raytrace brdf --help\n";
-    EXPECT_EQ(run({"brdf"}).err, "raytrace: brdf: expected 'eval' or 'check'" + see);
-    EXPECT_EQ(run({"brdf", "evil"}).err, "raytrace: brdf: expected 'eval' or 'check' instead of 'evil'" + see);
+    EXPECT_EQ(run({"brdf"}).err, "raytrace: brdf: expected 'eval', 'check', 'normalization' or 'albedo'" + see);
+    EXPECT_EQ(run({"brdf", "evil"}).err, "raytrace: brdf: expected 'eval', 'check', 'normalization' or 'albedo' instead of 'evil'" + see);
     EXPECT_EQ(run({"brdf", "eval"}).err, "raytrace: brdf eval: expected one table's name" + see);
     EXPECT_EQ(run({"brdf", "check"}).err, "raytrace: brdf check: expected a file" + see);
     EXPECT_EQ(run({"brdf"}).status, 1);
     EXPECT_EQ(run({"help", "brdf"}).out, run({"brdf", "--help"}).out);
+}
+
+TEST_F(Brdf, IntegralsOfTheChosenTerms) {
+    const Outcome one = run({"brdf", "normalization", "--D", "ggx", "--alpha", "0.5"});
+    EXPECT_EQ(one.status, 0);
+    const std::string head =
+        "integral of D (n.m) over the hemisphere; 1 if normalised\n"
+        "D                             alpha 0.5           \n"
+        "ggx                           ";
+    ASSERT_EQ(one.out.substr(0, head.size()), head);
+    EXPECT_NEAR(std::stod(one.out.substr(head.size())), 1.0, 1e-12);
+    const Outcome albedo = run({"brdf", "albedo", "--D=ggx", "--G=none", "--alpha=1"});
+    EXPECT_EQ(albedo.out,
+              "directional albedo with F = 1 at n.v = 1 / 0.5 / 0.1\n"
+              "D, G                          alpha 1             \n"
+              "ggx, none                     0.500/1.000/5.000   \n");
+    EXPECT_EQ(run({"brdf", "albedo", "--D=phong"}).err, "raytrace: 'phong' is no D; expected one of ggx, beckmann, blinn, gaussian\n");
+    EXPECT_EQ(run({"brdf", "albedo", "--alpha=0"}).status, 1);
 }
 
 }  // namespace
