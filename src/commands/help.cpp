@@ -23,7 +23,8 @@ const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
     "...";
 const char* const brdf_usage =
-    "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check FILE...\n       raytrace brdf normalization | albedo [OPTION...]\nThe shading functions on tables: their "
+    "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check FILE...\n       raytrace brdf normalization | albedo "
+    "[OPTION...]\nThe shading functions on tables: their "
     "values, "
     "and those against known ones.";
 const char* const brdf_footer =
