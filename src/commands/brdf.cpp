@@ -93,7 +93,7 @@ bool check(const std::string& path) {
     return good;
 }
 
-/// What the integrals are asked for; empty lists and names mean the usual ones.
+/// What the integrals are asked for; an unset term means all of its kind.
 struct IntegralRequest {
     std::optional<Distribution> D;
     std::optional<Masking> G;
@@ -164,6 +164,9 @@ int run_brdf(const Words& words) {
         return 0;
     }
     const std::string action = rest.empty() ? "" : rest[0];
+    const bool for_albedo = action == "albedo", for_integral = for_albedo || action == "normalization";
+    if ((request.G && !for_albedo) || ((request.D || request.alphas != IntegralRequest{}.alphas) && !for_integral))
+        throw OptionError("brdf: --D and --alpha are for normalization and albedo, --G for albedo");
     if (action == "eval") {
         if (rest.size() != 2) throw OptionError("brdf eval: expected one table's name; see raytrace brdf --help");
         return evaluate(brdf_kind(rest[1]));

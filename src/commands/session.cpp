@@ -94,13 +94,14 @@ void check_output(const RenderJob& job, const MessageSink& messages) {
     if (target.path != "-") check_image_target(target.path, target.format);
 }
 
-RenderResult trace(const World& world, const RenderJob& job, const Scene& scene, const StopOnSignal& signals) {
+RenderResult trace(const World& world, const RenderJob& job, const Scene& scene, std::shared_ptr<const Environment> surroundings,
+                   const StopOnSignal& signals) {
     RenderOptions options = render_options(job, scene);
     const Region all{0, 0, job.width, job.height};
     const Region seen = options.region.value_or(all);
     Progress progress(job.progress && !job.quiet, static_cast<double>(seen.x1 - seen.x0) * (seen.y1 - seen.y0));
     options.stop = &signals.stop();
-    options.trace.environment = read_surroundings(job.environment);
+    options.trace.environment = std::move(surroundings);
     if (progress.shown()) options.progress = [&](double done) { progress.update(done); };
     return render(world, options);
 }
@@ -145,6 +146,7 @@ int run_session(RenderJob job) {
     const MessageSink messages = message_sink(job.quiet);
     for (const std::string& note : job.notes) messages("raytrace: note: " + note);
     check_memory(job);
+    const std::shared_ptr<const Environment> surroundings = read_surroundings(job.environment);
     for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
 
     Stats stats;
@@ -167,7 +169,7 @@ int run_session(RenderJob job) {
     RenderResult result;
     {
         const Timed timed(stats.phases.trace);
-        result = trace(world, job, scene, signals);
+        result = trace(world, job, scene, surroundings, signals);
     }
     if (result.non_finite > 0) messages(fmt::format("raytrace: warning: {} pixels were not finite and are black", result.non_finite));
     int status = 0;

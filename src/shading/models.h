@@ -69,9 +69,6 @@ inline double phong_clamped_after(const Vec3& n, const Vec3& l, const Vec3& v, d
 /// Blinn's way to Phong's highlight: (n.h)^p, without n.l.
 inline double blinn_phong(const HalfGeometry& g, double p) { return std::exp(-0.5 * p * std::log1p(g.sin2_h / g.cos2_h)); }
 
-/// The exponent that a roughness means where no exponent is given: 2/roughness^2 - 2.
-inline double phong_exponent(double roughness) { return 2.0 / (roughness * roughness) - 2.0; }
-
 /// Gooch, Gooch, Shirley, Cohen 1998: from the cool colour away from the light to the warm one towards it. Not light: no shadow, no n.l.
 inline double gooch(double n_dot_l, double cool, double warm) {
     const double x = std::clamp(0.5 * (1.0 + n_dot_l), 0.0, 1.0);

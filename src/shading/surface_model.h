@@ -31,8 +31,6 @@ struct SurfaceModel {
     double s = 0.0;          ///< weight of the highlight
     OrenNayar oren_nayar;
     GoochTones gooch;
-
-    bool needs_half_vector() const { return specular == Specular::microfacet || specular == Specular::blinn_phong; }
 };
 
 /// F per channel. `tint` is what F0 is multiplied by in the terms that start from F0; the exact ones take their colour from the indices.

@@ -12,8 +12,10 @@ namespace {
 
 Rgb color_of(const Pixel& p) { return {p.r, p.g, p.b}; }
 
-/// The picture at (x, y) in pixels, whose centres lie at halves; `around` joins the left edge to the right one.
+/// The picture at (x, y) in pixels, whose centres lie at halves, and black where that is no place; `around` joins the left edge to the
+/// right one.
 Rgb between_pixels(const Film& picture, double x, double y, bool around) {
+    if (!std::isfinite(x) || !std::isfinite(y)) return Rgb(0.0);
     const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
     const double fx = x - 0.5 - left, fy = y - 0.5 - top;
     const auto pixel = [&](int i, int j) {

@@ -17,7 +17,7 @@ public:
     /// right. Throws OptionError for pictures that are not square or not of one size.
     static Environment cube(std::array<Film, 6> faces);
 
-    /// Radiance from `direction` (not zero), between the four nearest pixels; nothing is filtered further.
+    /// Radiance from `direction`, between the four nearest pixels; nothing is filtered further. Black for what is no direction.
     Rgb at(const Vec3& direction) const;
 
 private:

@@ -30,7 +30,8 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
         if (!general_) continue;
         const SurfaceModel& model = layer.finish->model;
         view.any_highlight |= model.s != 0.0;
-        view.from_behind |= model.diffuse == Diffuse::gooch || model.ambient_per_light || !model.phong_gate;
+        view.unshadowed |= model.diffuse == Diffuse::gooch || model.ambient_per_light;
+        view.ungated |= !model.phong_gate;
         inclined |= model.s != 0.0 || model.diffuse == Diffuse::oren_nayar;
     }
     if (view.any_highlight) view.mirrored = reflect(at.direction, at.normal);
@@ -41,15 +42,14 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
 void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                       LocalLight& result, RayNode* log) {
     const View shared = view(at, layers, inside, log);
-    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.from_behind) return;
+    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.unshadowed) return;
     for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
 }
 
 /// Can light from this side contribute anything?
 bool Lighting::is_seen(const View& view, double n_dot_l, bool shadowless) const {
-    if (view.from_behind) return !std::isnan(n_dot_l);
     if (n_dot_l >= facing_cosine || view.both_sides) return view.any_diffuse || (view.any_highlight && !shadowless);
-    return view.back_diffuse && !std::isnan(n_dot_l);
+    return (view.back_diffuse || (view.ungated && !shadowless)) && !std::isnan(n_dot_l);
 }
 
 void Lighting::one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result) {
@@ -58,12 +58,11 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
     const bool illuminates_by_area = source.area() != nullptr && source.area()->area_illumination;
     const LightRay ray = source.towards(light.location, at.point);
     const double n_dot_l = dot(at.normal, ray.direction);
+    if (view.unshadowed && !std::isnan(n_dot_l)) add_unshadowed(source, view, ray, n_dot_l, result);
     if (!illuminates_by_area && !is_seen(view, n_dot_l, light.shadowless)) return;
 
     Rgb arriving = light.color;
-    const double attenuation = illuminates_by_area ? 1.0 : source.attenuation(at.point, ray);
-    arriving *= attenuation;
-    if (view.from_behind) unshadowed(view, n_dot_l, light.color, attenuation, result);
+    if (!illuminates_by_area) arriving *= source.attenuation(at.point, ray);
     if (is_dark(arriving)) return;
     if (cast_shadows_ && !light.shadowless) {
         if (source.area() != nullptr) {
@@ -130,7 +129,7 @@ double Lighting::diffuse_term(const View& view, const SurfaceModel& model, const
 }
 
 /// What a lamp adds whether or not its light arrives: Gooch's tones, averaged over the lamps, and ambient light by the lamp.
-void Lighting::unshadowed(const View& view, double n_dot_l, const Rgb& light, double attenuation, LocalLight& result) const {
+void Lighting::add_unshadowed(const LightSource& source, const View& view, const LightRay& ray, double n_dot_l, LocalLight& result) const {
     for (const ActiveLayer& layer : view.layers) {
         const SurfaceModel& model = layer.finish->model;
         const Rgb through = layer.above * layer.opacity;
@@ -138,12 +137,13 @@ void Lighting::unshadowed(const View& view, double n_dot_l, const Rgb& light, do
             const GoochTones& tones = model.gooch;
             const Rgb kd = layer.finish->finish.diffuse * layer.color.rgb;
             const Rgb cool = tones.cool + tones.cool_share * kd, warm = tones.warm + tones.warm_share * kd;
-            const double x = std::clamp(0.5 * (1.0 + (tones.as_printed ? -n_dot_l : n_dot_l)), 0.0, 1.0);
-            result.diffuse += through * (x * warm + (1.0 - x) * cool) / static_cast<double>(sources_.size());
+            const double towards = tones.as_printed ? -n_dot_l : n_dot_l;
+            const Rgb tone(gooch(towards, cool.r, warm.r), gooch(towards, cool.g, warm.g), gooch(towards, cool.b, warm.b));
+            result.diffuse += through * tone / static_cast<double>(sources_.size());
         }
         if (model.ambient_per_light) {
-            const double left = model.attenuate_ambient ? attenuation : 1.0;
-            result.ambient += left * through * light * layer.color.rgb * layer.finish->finish.ambient;
+            const double left = model.attenuate_ambient ? source.attenuation(view.at.point, ray) : 1.0;
+            result.ambient += left * through * source.light().color * layer.color.rgb * layer.finish->finish.ambient;
         }
     }
 }

@@ -45,7 +45,8 @@ private:
         bool back_diffuse = false;
         bool any_diffuse = false;
         bool any_highlight = false;
-        bool from_behind = false;  ///< some layer wants lamps on the far side too
+        bool unshadowed = false;  ///< some layer takes from a lamp whether or not its light arrives
+        bool ungated = false;     ///< some highlight does not ask on which side the lamp is
         Vec3 mirrored{0.0};
         Incline incline_v{};
         RayNode* log = nullptr;
@@ -58,7 +59,7 @@ private:
     Rgb highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
     Rgb catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const;
     double diffuse_term(const View& view, const SurfaceModel& model, const Vec3& l, double n_dot_l) const;
-    void unshadowed(const View& view, double n_dot_l, const Rgb& light, double attenuation, LocalLight& result) const;
+    void add_unshadowed(const LightSource& source, const View& view, const LightRay& ray, double n_dot_l, LocalLight& result) const;
 
     const World& world_;
     bool general_;

@@ -70,7 +70,7 @@ void Recursion::camera_rays(std::span<const Ray> rays, std::span<Radiance> light
 void Recursion::start(const Ray& ray, const FirstHit* first, Radiance& result) {
     ++counts.camera;
     const Path path{.ray = ray};
-    if (first != nullptr && first->hit == nullptr && log_ == nullptr && path.weight >= adc_bailout_) {
+    if (first != nullptr && first->hit == nullptr && path.weight >= adc_bailout_) {
         // Most pixels of many pictures: nothing to prepare, nothing to follow.
         result = {};
         leave_scene(path, result, nullptr);

@@ -231,6 +231,9 @@ TEST_F(Brdf, IntegralsOfTheChosenTerms) {
               "ggx, none                     0.500/1.000/5.000   \n");
     EXPECT_EQ(run({"brdf", "albedo", "--D=phong"}).err, "raytrace: 'phong' is no D; expected one of ggx, beckmann, blinn, gaussian\n");
     EXPECT_EQ(run({"brdf", "albedo", "--alpha=0"}).status, 1);
+    const std::string elsewhere = "raytrace: brdf: --D and --alpha are for normalization and albedo, --G for albedo\n";
+    EXPECT_EQ(run({"brdf", "normalization", "--G=ggx"}).err, elsewhere);
+    EXPECT_EQ(run({"brdf", "check", "--D=ggx", "terms_D.csv"}).err, elsewhere);
 }
 
 }  // namespace

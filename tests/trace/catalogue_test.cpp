@@ -75,6 +75,18 @@ TEST(Catalogue, phong_and_blinn_phong) {
     EXPECT_RGB_NEAR(c.traced(choice), base, 1e-12);
 }
 
+TEST(Catalogue, phong_without_its_gate_shines_on_the_far_side) {
+    Case c;
+    c.lamps = {{-3.0, -0.2, 2.0}};
+    ModelChoice choice = with(SurfaceModel::Specular::phong);
+    choice.exponent = 3.0;
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient, 1e-12);
+    choice.model.phong_gate = false;
+    const Vec3 r = 2.0 * c.nl() * c.n() - c.l();
+    ASSERT_GT(dot(r, c.eye()), 0.1);
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient + Rgb(specular * std::pow(dot(r, c.eye()), 3.0)), 1e-12);
+}
+
 TEST(Catalogue, cook_torrance_with_other_terms) {
     const Case c;
     ModelChoice choice;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/source.h"
 #include "tests/trace/tracer_scene.h"
 
@@ -50,6 +52,15 @@ TEST(Environment, faces_of_a_cube) {
     const Vec3 right[] = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
     const Vec3 up[] = {{0, 1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}};
     for (std::size_t i = 0; i < 6; ++i) EXPECT_RGB_NEAR(cube.at(axes[i] + 0.7 * right[i] + 0.6 * up[i]), Rgb(1, 0, 0), 1e-12) << i;
+}
+
+TEST(Environment, what_is_no_direction_sees_black) {
+    std::array<Film, 6> faces;
+    faces.fill(one_color(Rgb(1.0)));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(Environment::cube(faces).at({nan, nan, nan}), Rgb(0.0));
+    EXPECT_EQ(Environment::cube(faces).at({0, 0, 0}), Rgb(0.0));
+    EXPECT_EQ(Environment::latitude_longitude(one_color(Rgb(1.0))).at({nan, 0, 1}), Rgb(0.0));
 }
 
 TEST(Environment, pictures_that_make_no_cube_are_refused) {
