@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <ostream>
 
 #include "film/image_file.h"
 #include "tests/commands/support.h"
@@ -18,6 +19,7 @@ struct Loss {
     std::string picture;
     std::vector<std::string> warnings;
 };
+void PrintTo(const Loss& loss, std::ostream* out) { *out << fmt::format("{}", fmt::join(loss.words, " ")); }
 
 class FormatLimits : public testing::TestWithParam<Loss> {};
 
