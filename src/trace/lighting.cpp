@@ -13,6 +13,7 @@ bool is_dark(const Rgb& light) { return std::fabs(light.r) < 1e-10 && std::fabs(
 Lighting::Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules)
     : world_(world),
       general_(options.shading == ShadingModel::general && world.features.catalogue),
+      facing_(general_ ? least_cosine : facing_cosine),
       cast_shadows_(options.quality.shadows),
       shadows_(world, rules, options) {
     for (const Light& light : world.lights) sources_.emplace_back(light, options.lamps);
@@ -48,7 +49,7 @@ void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layer
 
 /// Can light from this side contribute anything?
 bool Lighting::is_seen(const View& view, double n_dot_l, bool shadowless) const {
-    if (n_dot_l >= facing_cosine || view.both_sides) return view.any_diffuse || (view.any_highlight && !shadowless);
+    if (n_dot_l >= facing_ || view.both_sides) return view.any_diffuse || (view.any_highlight && !shadowless);
     return (view.back_diffuse || (view.ungated && !shadowless)) && !std::isnan(n_dot_l);
 }
 
@@ -98,7 +99,7 @@ void Lighting::area_illumination(const LightSource& source, const Rgb& light, co
 }
 
 void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const {
-    const bool front = n_dot_l >= facing_cosine || view.both_sides;
+    const bool front = n_dot_l >= facing_ || view.both_sides;
     const double cos = std::fabs(n_dot_l);
     for (const ActiveLayer& layer : view.layers) {
         const Finish& finish = layer.finish->finish;

@@ -63,6 +63,7 @@ private:
 
     const World& world_;
     bool general_;
+    double facing_;  ///< cosines from here on face the light
     bool cast_shadows_;
     std::vector<LightSource> sources_;
     Shadows shadows_;

@@ -214,6 +214,12 @@ Comparison comparison_of(const RenderOptions& options) {
     return {gamma / options.sampling.gamma, options.working_srgb};
 }
 
+/// Light that a film cannot hold is as bright as it can hold, not infinite; what was not finite stays so.
+float in_film(double light) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isfinite(light) ? std::clamp(light, -most, most) : light);
+}
+
 void prepare(Worker& worker, const World& world, const RenderOptions& options) {
     worker.tracer = std::make_unique<Tracer>(world, options.trace);
     worker.task = {options.sampling, comparison_of(options), options.stop, {}};
@@ -225,7 +231,7 @@ void prepare(Worker& worker, const World& world, const RenderOptions& options) {
         worker.tracer->camera_rays(worker.rays, worker.light);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Radiance& light = worker.light[i];
-            pixels[i] = {static_cast<float>(light.rgb.r), static_cast<float>(light.rgb.g), static_cast<float>(light.rgb.b),
+            pixels[i] = {in_film(light.rgb.r), in_film(light.rgb.g), in_film(light.rgb.b),
                          options.alpha ? static_cast<float>(light.transmittance) : 0.0f};
         }
     };

@@ -106,6 +106,15 @@ TEST(Catalogue, cook_torrance_with_other_terms) {
     EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(pi * lobe), 1e-12);
 }
 
+/// POV-Ray's least cosine of 1e-10 is for its own finish alone: at n.l = n.v = v.h = 1e-12 the lobe is D / (4 n.v), F = G = 1.
+TEST(Catalogue, a_lamp_counts_at_any_positive_cosine) {
+    const Case c{.v = {0.0, 1e-12, -1.0}, .lamps = {{0.0, 1e-12, 1.0}}};
+    ModelChoice choice = with(SurfaceModel::Specular::microfacet);
+    choice.model.terms.G = Masking::cook_torrance;
+    const double lobe = specular / (pi * width * width) / 4e-12;
+    EXPECT_NEAR(c.traced(choice).g / lobe, 1.0, 1e-9);
+}
+
 TEST(Catalogue, the_effects_form_and_the_lecture_as_printed) {
     const Case c;
     const double m = width, tan2 = 1.0 / sqr(c.nh()) - 1.0, dw = 0.5;

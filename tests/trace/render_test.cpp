@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <xmmintrin.h>
 
+#include <limits>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -120,6 +121,15 @@ TEST(Render, NonFinitePixelsAreCountedAndBlack) {
     const RenderResult result = render(empty, options_of(Sampling::Method::none, 2));
     EXPECT_EQ(result.non_finite, 83u * 57u);
     EXPECT_EQ(result.film.at(3, 3), Pixel{});
+}
+
+TEST(Render, LightBeyondSinglePrecisionIsTheBrightestThatAFilmHolds) {
+    Scene scene;
+    World empty = compile(scene, {}, [](std::string_view) {});
+    empty.background = Rgb(1e200, -1e200, 1.0);
+    const RenderResult result = render(empty, options_of(Sampling::Method::none, 2));
+    EXPECT_EQ(result.non_finite, 0u);
+    EXPECT_EQ(result.film.at(3, 3), (Pixel{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest(), 1.0f, 0.0f}));
 }
 
 TEST(Render, ProgressGrowsToOne) {
