@@ -3,6 +3,7 @@
 // case prints its figures.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,7 +137,7 @@ rt::StoredImage picture(const std::string& command, const std::string& scene, co
 
 /// One number a pixel: the program's, in single precision.
 std::vector<double> ours(const std::string& name, const Case& c) {
-    const std::string base = testing::TempDir() + "formula_ours_" + name;
+    const std::string base = fmt::format("{}formula_ours_{}_{}", testing::TempDir(), name, getpid());
     const std::string command = fmt::format("'{}' '{}.pov' -W {} -H {} --bits 32 -o '{}.exr'", PROGRAM, base, c.width, c.height(), base);
     const rt::StoredImage image = picture(command, base + ".pov", base + ".exr", our_scene(c));
     std::vector<double> values;
@@ -147,7 +148,7 @@ std::vector<double> ours(const std::string& name, const Case& c) {
 /// POV-Ray's, of the longest exposure that is not cut, divided by its scale. The exposures that are not cut must agree: a value that had
 /// wrapped would not.
 std::vector<double> povrays(const std::string& name, const Case& c, const Constants& constants, double scale) {
-    const std::string base = testing::TempDir() + "formula_povray_" + name;
+    const std::string base = fmt::format("{}formula_povray_{}_{}", testing::TempDir(), name, getpid());
     const std::string command =
         fmt::format("povray '+I{}.pov' '+O{}.png' +W{} +H{} +FN16 File_Gamma=1.0 -A -D -GA", base, base, c.width, c.height());
     const rt::StoredImage image = picture(command, base + ".pov", base + ".png", povray_scene(c, constants, scale));

@@ -1,0 +1,9 @@
+// Light and view at cosines about 1e-4, beckmann with cook-torrance.
+#version 3.7;
+//! raytrace: D=beckmann G=cook-torrance
+#declare Height = 1e-4;
+#declare Roughness = 0.5;
+#declare Weight = 5e-5;
+#declare Width = 6*Height;
+#declare Lamp = 1;
+#include "graze.inc"

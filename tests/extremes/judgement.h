@@ -1,0 +1,45 @@
+// The program's picture of an extreme scene beside the truth, and beside what textbook formulas make of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/extremes/renderer.h"
+
+namespace rt::extremes {
+
+/// 8 bits, sRGB, interleaved; pixels that are not a number are counted and black.
+struct Bytes {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> values;
+    int non_finite = 0;
+};
+
+Bytes encode(const Picture& picture);
+
+/// Pixels of which some channel is more than one step away, and the largest distance.
+struct Wrong {
+    int pixels = 0, steps = 0;
+};
+Wrong wrong(const Bytes& picture, const Bytes& truth);
+
+inline constexpr int picture_width = 129, picture_height = 97;  // odd: a pixel in the middle
+
+/// The pictures of one scene.
+struct Judgement {
+    std::string name;
+    Bytes ours;                        ///< the program's file
+    Bytes truth;                       ///< 113 bits, the forms that lose nothing
+    Bytes textbook;                    ///< 113 bits, the textbook's forms, alpha = 0 as its limit
+    Bytes naive_single, naive_double;  ///< the textbook's forms in the usual precisions
+    std::string png;                   ///< the program's file itself
+};
+
+/// Scenes of pov/extremes, in order of their names: paths.
+std::vector<std::string> scenes();
+
+/// Renders all pictures of a scene. Throws what describe() throws, and std::runtime_error if the program fails.
+Judgement judge(const std::string& scene);
+
+}  // namespace rt::extremes
