@@ -53,9 +53,9 @@ void render_ours(const std::string& scene, Judgement& judgement) {
     fs::remove(log);
 }
 
-template <typename T, template <typename> typename Terms>
-Bytes rendered(const Description& description, T least_alpha) {
-    return encode(Renderer<T, Terms>(description, least_alpha).picture(picture_width, picture_height));
+template <typename T, template <typename> typename Terms, typename S = T>
+Bytes rendered(const Description& description, double least_alpha = 0.0) {
+    return encode(Renderer<T, Terms, S>(description, least_alpha).picture(picture_width, picture_height));
 }
 
 }  // namespace
@@ -96,10 +96,10 @@ Judgement judge(const std::string& scene) {
     Judgement judgement;
     judgement.name = fs::path(scene).stem();
     render_ours(scene, judgement);
-    judgement.truth = rendered<Quad, Robust>(description, 0);
-    judgement.textbook = rendered<Quad, Textbook>(description, static_cast<Quad>(narrowest));
-    judgement.naive_single = rendered<float, Textbook>(description, 0);
-    judgement.naive_double = rendered<double, Textbook>(description, 0);
+    judgement.truth = rendered<Quad, Robust>(description);
+    judgement.textbook = rendered<Quad, Textbook>(description, narrowest);
+    judgement.naive_single = rendered<double, Textbook, float>(description);
+    judgement.naive_double = rendered<double, Textbook>(description);
     return judgement;
 }
 

@@ -32,7 +32,7 @@ struct Judgement {
     Bytes ours;                        ///< the program's file
     Bytes truth;                       ///< 113 bits, the forms that lose nothing
     Bytes textbook;                    ///< 113 bits, the textbook's forms, alpha = 0 as its limit
-    Bytes naive_single, naive_double;  ///< the textbook's forms in the usual precisions
+    Bytes naive_single, naive_double;  ///< the textbook's forms in the usual precisions, rays in double
     std::string png;                   ///< the program's file itself
 };
 

@@ -49,6 +49,8 @@ struct Vec {
     Vec(T a, T b, T c) : x(a), y(b), z(c) {}
     /// A stated vector of doubles, rounded where T has fewer digits.
     explicit Vec(const Vec3& v) : x(static_cast<T>(v.x)), y(static_cast<T>(v.y)), z(static_cast<T>(v.z)) {}
+    template <typename U>
+    explicit Vec(const Vec<U>& v) : x(static_cast<T>(v.x)), y(static_cast<T>(v.y)), z(static_cast<T>(v.z)) {}
     friend Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend Vec operator-(const Vec& a) { return {-a.x, -a.y, -a.z}; }

@@ -97,9 +97,10 @@ section div { display: flex; flex-wrap: wrap; gap: .6em } figure { margin: 0 } f
 img { width: 258px; max-width: 100%; image-rendering: pixelated; background: #000 }
 </style></head><body><h1>Shading at the extremes</h1>
 <p>Each scene is rendered by the program, and by a second renderer with 113 bits, which is the truth. Beside them are the formulas as texts
-print them, in single and in double precision. A pixel is wrong if a channel of its 8 bits is more than one step from the truth; in brackets
-stand the pixels that are not a finite number. The lobes of 1e-8 radians need directions of more than 24 bits, whatever the formulas; there
-the column of double precision shows what the formulas do. In the pictures of differences grey is the truth itself, blue one step, yellow to red more.</p>
+print them, in single and in double precision; the rays that lead to them are in double. A pixel is wrong if a channel of its 8 bits is more
+than one step from the truth; in brackets stand the pixels that are not a finite number. The lobes of 1e-8 radians need directions of more
+than 24 bits, whatever the formulas; there the column of double precision shows what the formulas do. In the pictures of differences grey is
+the truth itself, blue one step, yellow to red more.</p>
 )";
     text += fmt::format("<p>Every picture has {} pixels.</p>\n", picture_width * picture_height);
     text += "<table><tr><th>scene<th>textbook, single<th>textbook, double<th>ours<th>ours, largest step</tr>\n";

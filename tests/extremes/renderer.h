@@ -1,4 +1,5 @@
-// A second renderer for the extreme scenes, in any precision T and with the terms in either form. One ray for each pixel's centre.
+// A second renderer for the extreme scenes: rays in any precision T, the terms in either form and in any precision S, which receive the
+// directions rounded to it. One ray for each pixel's centre.
 #pragma once
 
 #include <limits>
@@ -14,11 +15,11 @@ struct Picture {
     std::vector<Rgb> pixels;
 };
 
-template <typename T, template <typename> typename Terms>
+template <typename T, template <typename> typename Terms, typename S = T>
 class Renderer {
 public:
     /// `least_alpha` stands in for 0 where a form has no value there.
-    Renderer(const Description& description, T least_alpha) : scene_(description), least_alpha_(least_alpha) { aim(); }
+    Renderer(const Description& description, double least_alpha) : scene_(description), least_alpha_(static_cast<S>(least_alpha)) { aim(); }
 
     Picture picture(int width, int height) const {
         Picture result{width, height, {}};
@@ -102,9 +103,13 @@ private:
         return hit.surface->glass ? glass(ray, *hit.surface, point, n, level + 1) : lit(ray, *hit.surface, point, n);
     }
 
-    T alpha(const Surface& surface) const {
-        const T r = static_cast<T>(surface.roughness);
+    S alpha(const Surface& surface) const {
+        const S r = static_cast<S>(surface.roughness);
         return std::max(surface.direct ? r : r * r, least_alpha_);
+    }
+
+    T lobe(const Surface& surface, const V& n, const V& l, const V& v) const {
+        return static_cast<T>(Terms<S>::highlight(surface, alpha(surface), Vec<S>(n), Vec<S>(l), Vec<S>(v)));
     }
 
     /// ka + sum lc ((1 - s) kd n.l + s n.l rs).
@@ -118,7 +123,7 @@ private:
             const V l = T(1) / distance * to_lamp;
             const T nl = dot(n, l);
             if (!(nl > T(0)) || in_shadow({point, l, &surface}, distance)) continue;
-            const T highlight = s == T(0) ? T(0) : s * Terms<T>::highlight(surface, alpha(surface), n, l, -ray.direction);
+            const T highlight = s == T(0) ? T(0) : s * lobe(surface, n, l, -ray.direction);
             sum = sum + Color(lamp.color) * (diffuse * nl * pigment + highlight * Color(T(1), T(1), T(1)));
         }
         return sum;
@@ -132,13 +137,13 @@ private:
         const T cos = -dot(d, n), k = T(1) - ratio * ratio * (T(1) - cos * cos);
         const Color mirrored = light({point, d + T(2) * cos * n, &surface, leaves}, level);
         if (k < T(0)) return mirrored;
-        const T F = Terms<T>::reflectance(T(1) / ratio, cos);
+        const T F = static_cast<T>(Terms<S>::reflectance(static_cast<S>(T(1) / ratio), static_cast<S>(cos)));
         const V bent = ratio * d + (ratio * cos - sqrt(k)) * n;
         return F * mirrored + (T(1) - F) * light({point, bent, &surface, !leaves}, level);
     }
 
     const Description& scene_;
-    T least_alpha_;
+    S least_alpha_;
     V origin_, direction_, right_, up_;
 };
 
