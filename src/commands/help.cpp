@@ -13,7 +13,7 @@ namespace rt {
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
     "Commands: requires compare brdf help version; topics of help: povray scene\n"
-    "shading sampling output course exit. POV-Ray's own options work too: +W320 ...";
+    "shading edges sampling output course exit. POV-Ray's options work too: +W320 ...";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -73,22 +73,37 @@ finish alone. The command line wins.
 constexpr const char* shading_head =
     R"(--shading povray is POV-Ray's own finish model; general (default) and others:
 r = ka + sum lc (n.l) [(1-s) kd rd + s D G F / (4 n.l n.v)] and its relatives.
---alpha roughness2|povray|direct|X (the width itself) from 'roughness'.
 --environment FILE (or six of a cube: +x,-x,+y,-y,+z,-z): seen past the scene.
-Texts of the names: S0 demo, S1 course, S2 Gooch, S3 lamps, S4 lecture, X none.
+S0 demo, S1 course, S2 Gooch, S3 lamps, S4 lecture are texts, X is in none.
 )";
 constexpr const char* shading_foot =
-    R"(Numbers: --s --eta --k --f0 (one or R,G,B) --exponent --sigma --dw --range
---att-coefficients C,L,Q. Variants: --fresnel-arg nv --half nv --raw on
---norm ct1982|ct4m2 --blinn-power inverse-roughness --units physical
---denominator clamped --ambient per-light --attenuate-ambient on --clamp after
---phong-gate off --gooch as-printed --spot exponent. In a scene or one finish:
-//! raytrace: D=beckmann alpha=0.2
+    R"(--alpha roughness2|povray|direct|X, not below --alpha-floor X. --env replaces
+'reflection', times s, at most --env-clamp X. Numbers: --s --eta --k --f0 (one
+or R,G,B) --exponent --sigma --dw --range --att-coefficients C,L,Q. Variants:
+--blinn-power inverse-roughness --attenuate-ambient on --spot exponent --raw on
+--denominator clamped --ambient per-light --gooch as-printed --units physical
+--fresnel-arg nv --half nv --norm ct1982|ct4m2 --clamp after --phong-gate off
 )";
 const std::string& shading_topic() {
     static const std::string text = shading_head + catalogue_text() + shading_foot;
     return text;
 }
+
+constexpr const char* edges_topic =
+    R"(Lines over the picture, with every shading and sampling; --ss 3 smooths them.
+
+--edges silhouette  outlines: where another object, nothing, or a farther part
+                    of the same object is seen
+        crease      where a surface turns abruptly
+        all, off    both; none (default)
+--edge-width X      in pixels (1)
+--edge-color R,G,B  or one number for all three, linear (0: black)
+--edge-angle X      degrees between normals that make a crease (30)
+
+Objects are those of the scene; all triangles of a mesh are one. Half a line's
+width is on either side of its edge. As Gooch draws: --preset gooch-ct --edges
+all. In a scene: //! raytrace: edges=all edge-width=2
+)";
 
 constexpr const char* sampling_topic =
     R"(Without any of these a pixel is one ray through its centre, as in POV-Ray.
@@ -146,8 +161,8 @@ constexpr const char* exit_topic =
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
-    {"povray", povray_topic}, {"scene", scene_topic},   {"shading", ""},      {"sampling", sampling_topic},
-    {"output", output_topic}, {"course", course_topic}, {"exit", exit_topic},
+    {"povray", povray_topic},     {"scene", scene_topic},   {"shading", ""},          {"edges", edges_topic},
+    {"sampling", sampling_topic}, {"output", output_topic}, {"course", course_topic}, {"exit", exit_topic},
 };
 
 }  // namespace

@@ -32,13 +32,12 @@ double number(std::string_view key, std::string_view value, double least, double
     return real_number(std::string(key), std::string(value), least, most);
 }
 
-/// One number, or three separated by commas.
-Rgb channels(std::string_view key, std::string_view value, double least, double most) {
-    const std::vector<std::string> parts = split(std::string(value), ',');
-    if (parts.size() != 1 && parts.size() != 3) throw OptionError(fmt::format("{}: expected one number or three, not '{}'", key, value));
-    Rgb result;
-    for (int i = 0; i < 3; ++i) result[i] = number(key, parts[parts.size() == 1 ? 0 : static_cast<std::size_t>(i)], least, most);
-    return result;
+/// An index of refraction, for all channels or each.
+Rgb index_of_refraction(std::string_view key, std::string_view value) {
+    const Rgb eta = one_or_three(key, value, -any, any);
+    for (int channel = 0; channel < 3; ++channel)
+        if (!(eta[channel] > 0.0)) throw OptionError(fmt::format("{}: expected an index of refraction above 0, not '{}'", key, value));
+    return eta;
 }
 
 void choose_model(ModelChoice& choice, Model model) {
@@ -117,10 +116,18 @@ constexpr std::array keys{
     Key{{"F", "NAME", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.terms.F = named(fresnel_names, key, v); }},
     Key{{"alpha", "NAME", "roughness2 (default), povray, direct or a number"}, choose_alpha},
+    Key{{"alpha-floor", "X", ""},
+        [](ModelChoice& c, std::string_view key, std::string_view v) { c.alpha_floor = number(key, v, 0.0, 1e6); }},
+    Key{{"env", "NAME", ""},
+        [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.env = named(surroundings_names, key, v); }},
+    Key{{"env-clamp", "X", ""},
+        [](ModelChoice& c, std::string_view key, std::string_view v) {
+            c.model.env_limit = std::min(number(key, v, 0.0, any), largest_lobe);
+        }},
     Key{{"s", "X", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.s = number(key, v, 0.0, 1.0); }},
-    Key{{"eta", "X|R,G,B", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.eta = channels(key, v, 1e-300, any); }},
-    Key{{"k", "X|R,G,B", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.k = channels(key, v, 0.0, any); }},
-    Key{{"f0", "X|R,G,B", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.f0 = channels(key, v, 0.0, 1.0); }},
+    Key{{"eta", "X|R,G,B", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.eta = index_of_refraction(key, v); }},
+    Key{{"k", "X|R,G,B", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.k = one_or_three(key, v, 0.0, any); }},
+    Key{{"f0", "X|R,G,B", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.f0 = one_or_three(key, v, 0.0, 1.0); }},
     Key{{"exponent", "P", ""}, [](ModelChoice& c, std::string_view key, std::string_view v) { c.exponent = number(key, v, 0.0, any); }},
     Key{{"sigma", "RADIANS", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.oren_nayar = OrenNayar(number(key, v, 0.0, any)); }},
@@ -152,14 +159,16 @@ constexpr std::array keys{
     Key{{"attenuate-ambient", "off|on", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.attenuate_ambient = second_of(key, v, "off", "on"); }},
     Key{{"clamp", "before|after", ""},
-        [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.clamp_after = second_of(key, v, "before", "after"); }},
+        [](ModelChoice& c, std::string_view key, std::string_view v) {
+            c.model.clamp_after = c.lamps.clamp_after = second_of(key, v, "before", "after");
+        }},
     Key{{"phong-gate", "on|off", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.phong_gate = !second_of(key, v, "on", "off"); }},
     Key{{"att", "NAME", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.lamps.law.kind = named(attenuation_names, key, v); }},
     Key{{"att-coefficients", "C,L,Q", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) {
-            const Rgb numbers = channels(key, v, 0.0, any);
+            const Rgb numbers = one_or_three(key, v, 0.0, any);
             if (numbers == Rgb(0.0)) throw OptionError(fmt::format("{}: not all of them can be 0", key));
             c.lamps.law.kind = Attenuation::polynomial;
             c.lamps.law.constant = numbers[0], c.lamps.law.linear = numbers[1], c.lamps.law.quadratic = numbers[2];
@@ -248,6 +257,7 @@ std::string catalogue_text() {
     list(text, "D", distribution_names);
     list(text, "G", masking_names);
     list(text, "F", fresnel_names);
+    list(text, "env", surroundings_names);
     list(text, "att", attenuation_names);
     list(text, "preset", preset_names);
     list(text, "material", material_names);

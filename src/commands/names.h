@@ -24,6 +24,10 @@ inline constexpr NameTable<Precision, 2> precision_names{{{"fast", Precision::fa
 inline constexpr NameTable<Profile, 2> profile_names{{{"povray", Profile::povray}, {"csc473", Profile::csc473}}};
 inline constexpr NameTable<IndexKind, 3> index_names{
     {{"automatic", IndexKind::automatic}, {"embree", IndexKind::embree}, {"brute_force", IndexKind::brute_force}}};
+inline constexpr NameTable<EdgeOptions::Kind, 4> edge_names{{{"off", EdgeOptions::Kind::off},
+                                                             {"silhouette", EdgeOptions::Kind::silhouette},
+                                                             {"crease", EdgeOptions::Kind::crease},
+                                                             {"all", EdgeOptions::Kind::all}}};
 inline constexpr NameTable<ImageFormat, 8> format_names{{{"png", ImageFormat::png},
                                                          {"exr", ImageFormat::exr},
                                                          {"hdr", ImageFormat::hdr},

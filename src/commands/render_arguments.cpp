@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "commands/command_line.h"
+#include "commands/edge_choices.h"
 #include "commands/help.h"
 #include "commands/names.h"
 #include "commands/povray_syntax.h"
@@ -131,6 +132,14 @@ void define_shading(CommandLine& line, RenderJob& job) {
             ModelChoice scratch;
             choose(scratch, name, v);
             job.model.push_back({name, v});
+        });
+    }
+    for (const EdgeKey& key : edge_keys) {
+        const std::string name(key.key);
+        line.value("--" + name, std::string(key.values), "", [&job, name](const std::string& v) {
+            EdgeOptions scratch;
+            choose_edges(scratch, name, v);
+            job.edge_options.push_back({name, v});
         });
     }
     line.value("--environment", "FILE", "", [&](const std::string& v) {

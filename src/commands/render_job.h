@@ -39,8 +39,10 @@ struct RenderJob {
     std::optional<Distances> distances;  ///< unset: povray under the shading of that name, else scaled
     std::optional<Precision> precision;
 
-    std::vector<std::string> environment;  ///< one picture of all directions, or six of a cube; none: the scene's background
-    std::vector<ModelOption> model;        ///< choices from the catalogue of shading, in order
+    std::vector<std::string> environment;   ///< one picture of all directions, or six of a cube; none: the scene's background
+    std::vector<ModelOption> model;         ///< choices from the catalogue of shading, in order
+    EdgeOptions edges;                      ///< lines over the picture; complete once the scene is read
+    std::vector<ModelOption> edge_options;  ///< what the command line says of them, in order
 
     IndexKind index = IndexKind::automatic;
     Profile profile = Profile::povray;

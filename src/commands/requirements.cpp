@@ -24,7 +24,8 @@ std::string light_kind(const Light& light) {
 /// Walks textures once each and collects the names of what they use.
 class FeatureCollector {
 public:
-    explicit FeatureCollector(std::set<std::string>& features) : features_(features) {}
+    FeatureCollector(const Scene& scene, const SceneChoices& choices, std::set<std::string>& features)
+        : scene_(scene), general_(choices.shading != ShadingModel::povray), features_(features) {}
 
     void object(const Object& object) {
         if (object.texture) layers(*object.texture);
@@ -42,6 +43,8 @@ public:
     }
 
 private:
+    const Scene& scene_;
+    bool general_;
     std::set<std::string>& features_;
     std::unordered_set<const void*> seen_;
 
@@ -71,9 +74,17 @@ private:
         for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) this->pigment(cell);
     }
 
+    /// By the surroundings that the scene chooses from the catalogue, else by the finish itself.
+    bool mirrors(const Finish& finish) const {
+        const bool stated = finish.reflection.min != Rgb(0.0) || finish.reflection.max != Rgb(0.0);
+        if (!general_ || (scene_.options.empty() && finish.options.empty())) return stated;
+        const ModelChoice choice = choice_for(scene_, finish.options, {});
+        return choice.model.env == Surroundings::finish ? stated : choice.s.value_or(finish.specular) > 0.0;
+    }
+
     void finish(const Finish& finish) {
         const Reflection& reflection = finish.reflection;
-        if (reflection.min != Rgb(0.0) || reflection.max != Rgb(0.0)) features_.insert("reflection");
+        if (mirrors(finish)) features_.insert("reflection");
         if (reflection.fresnel) features_.insert("fresnel reflection");
         if (finish.specular != 0.0) features_.insert("specular highlights");
         if (finish.phong != 0.0) features_.insert("phong highlights");
@@ -101,7 +112,9 @@ MissingFeature placed(const Unmodelled& unmodelled, const Sources& sources) {
 Requirements requirements_of(const Scene& scene) {
     Requirements needs;
     std::set<std::string> features;
-    FeatureCollector collector(features);
+    const SceneChoices choices = choices_of(scene);  // a mistake in them is one here too
+    if (choices.edges.kind != EdgeOptions::Kind::off) features.insert("edge lines");
+    FeatureCollector collector(scene, choices, features);
     needs.objects = scene.objects.size();
     needs.triangles = count_triangles(scene);
     for (const Object& object : scene.objects) {
@@ -119,7 +132,6 @@ Requirements requirements_of(const Scene& scene) {
     needs.language_version = scene.language_version;
     for (std::uint32_t i = 1; i < scene.sources.size(); ++i) needs.includes.push_back(scene.sources.file(i).name);
     for (const Unmodelled& unmodelled : scene.unmodelled) needs.missing.push_back(placed(unmodelled, scene.sources));
-    choices_of(scene);  // a mistake in them is one here too
     return needs;
 }
 

@@ -4,6 +4,7 @@
 
 #include <unordered_set>
 
+#include "commands/edge_choices.h"
 #include "commands/names.h"
 
 namespace rt {
@@ -19,6 +20,14 @@ T value_of(const Scene& scene, const SceneOption& option, const NameTable<T, N>&
     const std::optional<T> value = find_name(table, option.value);
     if (!value) fail(scene, option, fmt::format("{}: {}", option.key, unknown_name_text(table, what, option.value)));
     return *value;
+}
+
+void choose_lines(const Scene& scene, const SceneOption& option, EdgeOptions& edges) {
+    try {
+        choose_edges(edges, option.key, option.value);
+    } catch (const OptionError& error) {
+        fail(scene, option, error.what());
+    }
 }
 
 /// The options of every finish in `layers`, each texture once.
@@ -61,6 +70,7 @@ SceneChoices choices_of(const Scene& scene) {
     for (const SceneOption& option : scene.options) {
         if (option.key == "distances") choices.distances = value_of(scene, option, distances_names, "rule of distances");
         if (option.key == "precision") choices.precision = value_of(scene, option, precision_names, "precision");
+        if (is_edge_key(option.key)) choose_lines(scene, option, choices.edges);
         if (option.key == "shading") choices.shading = option.value == "povray" ? ShadingModel::povray : ShadingModel::general;
     }
     choice_for(scene, {}, {});
@@ -79,6 +89,8 @@ void apply_scene_choices(const Scene& scene, RenderJob& job) {
     if (!job.shading) job.shading = choices.shading;
     if (!job.distances) job.distances = choices.distances;
     if (!job.precision) job.precision = choices.precision;
+    job.edges = choices.edges;
+    for (const ModelOption& option : job.edge_options) choose_edges(job.edges, option.key, option.value);
 }
 
 }  // namespace rt

@@ -12,6 +12,7 @@ struct SceneChoices {
     std::optional<ShadingModel> shading;
     std::optional<Distances> distances;
     std::optional<Precision> precision;
+    EdgeOptions edges;
 };
 
 /// What `scene` and the files it includes choose for the whole picture; the last statement of a key counts. The choices from the shading

@@ -80,6 +80,7 @@ RenderOptions render_options(const RenderJob& job, const Scene& scene) {
     options.trace.shading = *job.shading;
     options.trace.distances = *job.distances;
     if (*job.shading == ShadingModel::general) options.trace.lamps = choice_for(scene, {}, job.model).lamps;
+    options.edges = job.edges;
     options.trace.max_trace_level = job.max_trace_level;
     if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);
     return options;
@@ -182,6 +183,7 @@ int run_session(RenderJob job) {
         stats.threads = result.threads;
         stats.non_finite = result.non_finite;
         stats.peak_bytes = peak_memory();
+        if (*job.shading == ShadingModel::general) stats.narrow = narrow_lobes(world, job.width, job.height, job.sampling);
         write_stderr(stats_text(job, scene, stats));
     }
     return status;

@@ -25,6 +25,14 @@ double real_number(std::string_view what, std::string_view text, double least, d
     return value;
 }
 
+Rgb one_or_three(std::string_view what, std::string_view text, double least, double most) {
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() != 1 && parts.size() != 3) throw OptionError(fmt::format("{}: expected one number or three, not '{}'", what, text));
+    Rgb result;
+    for (int i = 0; i < 3; ++i) result[i] = real_number(what, parts[parts.size() == 1 ? 0 : static_cast<std::size_t>(i)], least, most);
+    return result;
+}
+
 int whole_number(std::string_view what, std::string_view text, int least, int most) {
     const double value = real_number(what, text, -HUGE_VAL, HUGE_VAL);
     if (value != std::trunc(value)) throw OptionError(fmt::format("{}: expected a whole number, not '{}'", what, text));

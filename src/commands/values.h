@@ -5,12 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/vec.h"
+
 namespace rt {
 
 /// A whole number in [least, most]. Throws OptionError naming `what`.
 int whole_number(std::string_view what, std::string_view text, int least, int most);
 /// A finite number in [least, most].
 double real_number(std::string_view what, std::string_view text, double least, double most);
+/// One such number for all channels, or three separated by commas.
+Rgb one_or_three(std::string_view what, std::string_view text, double least, double most);
 /// on, true, yes, 1, y, t or off, false, no, 0, n, f; case ignored. An empty text means on.
 bool on_or_off(std::string_view what, std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);

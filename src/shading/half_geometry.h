@@ -74,4 +74,11 @@ inline double cosine_power(double cos, double sin2, double exponent) {
     return std::exp(-0.5 * exponent * std::log1p(sin2 / (cos * cos)));
 }
 
+/// max(cos^exponent, 0), which texts print where they mean the power of max(cos, 0): even exponents light the back, and fractional ones
+/// have no power of a negative cosine and so no light.
+inline double power_clamped_after(double cos, double exponent) {
+    const double power = std::pow(std::min(1.0, cos), exponent);
+    return power > 0.0 ? power : 0.0;
+}
+
 }  // namespace rt

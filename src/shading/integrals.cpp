@@ -16,10 +16,14 @@ double normalization(Distribution kind, double alpha) {
 }
 
 double directional_albedo(Distribution kind, Masking masking, double alpha, double n_dot_v) {
+    return directional_albedo({.D = kind, .G = masking, .F = Fresnel::one}, Interface{}, alpha, n_dot_v);
+}
+
+double directional_albedo(const MicrofacetTerms& chosen, const Interface& x, double alpha, double n_dot_v) {
     constexpr int rings = 1024, spokes = 256;
     const Vec3 n(0, 0, 1), v(std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v)), 0.0, n_dot_v);
     const Incline incline_v = incline(n, v);
-    const MicrofacetTerms terms{.D = kind, .G = masking};
+    const MicrofacetTerms terms{.D = chosen.D, .G = chosen.G};
     double sum = 0.0;
     for (int i = 0; i < rings; ++i) {
         // Normals m of GGX by the inverse of its distribution at 1 - w^2: the square takes away the singularity 1 / n.m at the horizon. The
@@ -35,7 +39,7 @@ double directional_albedo(Distribution kind, Masking masking, double alpha, doub
             if (!(v_dot_m > 0.0)) continue;
             HalfGeometry g;
             if (half_geometry(n, 2.0 * v_dot_m * m - v, v, incline_v, g))
-                sum += microfacet_lobe(terms, g, alpha) * 8.0 * w * v_dot_m / density;
+                sum += microfacet_lobe(terms, g, alpha) * F(chosen.F, x, g.v_dot_h) * 8.0 * w * v_dot_m / density;
         }
     }
     return sum / (rings * spokes);

@@ -36,6 +36,7 @@ inline double attenuation(const AttenuationLaw& law, double distance) {
 struct LampRules {
     AttenuationLaw law;
     bool exponent_spots = false;  ///< a spotlight's beam is spot() with its tightness as the exponent, without a cone's edge
+    bool clamp_after = false;     ///< that beam is spot_clamped_after()
 };
 
 /// max(-l.a, 0)^q across the beam of a spot that shines along `axis` (any length); l points to the lamp. 0 behind it, also for q = 0.
@@ -43,5 +44,9 @@ inline double spot(const Vec3& axis, const Vec3& l, double exponent) {
     const Vec3 sine = accurate_cross(axis, l);
     return cosine_power(-dot(axis, l), dot(sine, sine), exponent);
 }
+
+/// max((-l.a)^q, 0) as a text prints it: an even exponent, 0 included, lights what is behind the lamp, and where there is no power there is
+/// no light. Both unit.
+inline double spot_clamped_after(const Vec3& axis, const Vec3& l, double exponent) { return power_clamped_after(-dot(axis, l), exponent); }
 
 }  // namespace rt

@@ -62,8 +62,7 @@ inline double phong(const Vec3& n, const Vec3& l, const Vec3& v, double p, bool 
 
 /// max(r.v^p, 0) as a text prints it: an even exponent lights the back, and where there is no power there is no light.
 inline double phong_clamped_after(const Vec3& n, const Vec3& l, const Vec3& v, double p) {
-    const double power = std::pow(std::min(1.0, dot(2.0 * dot(n, l) * n - l, v)), p);
-    return power > 0.0 ? power : 0.0;
+    return power_clamped_after(dot(2.0 * dot(n, l) * n - l, v), p);
 }
 
 /// Blinn's way to Phong's highlight: (n.h)^p, without n.l.
@@ -75,9 +74,21 @@ inline double gooch(double n_dot_l, double cool, double warm) {
     return x * warm + (1.0 - x) * cool;
 }
 
-/// Weight of the mirror direction of surroundings lit as a lamp of solid angle `dw`: dw F / (4 m^2 pi n.v). Unbounded at grazing.
+/// Weight of the mirror direction of surroundings lit as a lamp of solid angle `dw`: dw F / (4 m^2 pi n.v), cut to `largest_lobe`; as
+/// printed it has no bound, neither at grazing nor for small alpha.
 inline double effects_environment(double f0, double alpha, double n_dot_v, double dw) {
-    return dw * F_schlick(f0, n_dot_v) / (4.0 * alpha * alpha * pi * n_dot_v);
+    const double flux = dw * F_schlick(f0, n_dot_v);
+    if (flux == 0.0 || alpha < least_alpha) return 0.0;  // no lamp, or, as for D, no lobe
+    return std::min(flux / (4.0 * pi * alpha * (alpha * n_dot_v)), largest_lobe);
 }
+
+/// What a surface sends on of the light that arrives from the mirror direction R = 2 (n.v) n - v.
+enum class Surroundings {
+    finish,      ///< what the finish itself says
+    mirror,      ///< all of it, times k_s
+    fresnel,     ///< k_s F(n.v), the limit of the microfacet lobe for alpha to 0
+    albedo,      ///< k_s E(n.v), the directional albedo of the lobe
+    ct_effects,  ///< k_s effects_environment()
+};
 
 }  // namespace rt

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "shading/lamps.h"
-#include "shading/terms.h"
+#include "shading/models.h"
 
 namespace rt {
 
@@ -59,6 +59,12 @@ inline constexpr std::array<Named<Diffuse>, 4> diffuse_names{{{"lambert", Diffus
                                                               {"gooch", Diffuse::gooch, "S2"},
                                                               {"none", Diffuse::none, "S0"}}};
 
+inline constexpr std::array<Named<Surroundings>, 5> surroundings_names{{{"finish", Surroundings::finish, "X"},
+                                                                        {"mirror", Surroundings::mirror, "S0"},
+                                                                        {"fresnel", Surroundings::fresnel, "X"},
+                                                                        {"albedo", Surroundings::albedo, "X"},
+                                                                        {"ct-effects", Surroundings::ct_effects, "S0"}}};
+
 inline constexpr std::array<Named<Attenuation>, 4> attenuation_names{{{"none", Attenuation::none, "S0 S1 S4"},
                                                                       {"1+d+d2", Attenuation::one_d_d2, "S3"},
                                                                       {"polynomial", Attenuation::polynomial, "X"},
@@ -81,17 +87,19 @@ inline constexpr std::array<Named<std::string_view>, 8> preset_names{
      {"classic", "shading=cook-torrance D=beckmann G=cook-torrance F=schlick", "S0 S4"},
      {"course-blinn", "shading=cook-torrance D=blinn G=cook-torrance F=schlick", "S1"},
      {"reference", "shading=cook-torrance D=ggx G=ggx-hc F=conductor", "X"},
-     {"effects", "shading=ct-effects dw=1e-4", "S0"},
+     {"effects", "shading=ct-effects dw=1e-4 env=ct-effects", "S0"},
      {"lecture", "shading=lecture", "S4"},
      {"gooch-ct", "shading=cook-torrance D=beckmann G=cook-torrance F=schlick diffuse=gooch", "S2"},
      {"phong-lights", "shading=phong att=1+d+d2", "S3"}}};
 
-/// Indices at about 650, 550 and 450 nm.
+/// Indices at about 650, 550 and 450 nm. Where the lobe is narrow a mirror ray stands for what it gathers of the surroundings, weighed by
+/// the lobe's albedo; a sharp picture on a dull surface would be wrong, so dull ones have their highlights and ambient light only. The
+/// mirror's lobe has no width and no highlight: all of it is the mirror ray.
 inline constexpr std::array<Named<std::string_view>, 5> material_names{
-    {{"shiny-gold", "eta=0.143,0.375,1.442 k=3.983,2.386,1.603 alpha=0.04 s=0.9", "S0"},
+    {{"shiny-gold", "eta=0.143,0.375,1.442 k=3.983,2.386,1.603 alpha=0.04 s=0.9 env=albedo", "S0"},
      {"dull-gold", "eta=0.143,0.375,1.442 k=3.983,2.386,1.603 alpha=0.3 s=0.7", "S0"},
      {"dull-blue", "eta=1.5 alpha=0.4 s=0.3", "S0"},
-     {"silver", "eta=0.155,0.117,0.138 k=4.828,3.122,2.147 alpha=0.05 s=0.95", "S0"},
-     {"mirror", "f0=0.98 alpha=0 s=1", "S0"}}};
+     {"silver", "eta=0.155,0.117,0.138 k=4.828,3.122,2.147 alpha=0.05 s=0.95 env=albedo", "S0"},
+     {"mirror", "f0=0.98 alpha=0 s=1 env=fresnel", "S0"}}};
 
 }  // namespace rt

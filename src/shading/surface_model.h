@@ -1,6 +1,9 @@
 // What a surface does with light that arrives, chosen from the catalogue, with all its numbers in place.
 #pragma once
 
+#include <memory>
+
+#include "shading/albedo.h"
 #include "shading/lamps.h"
 #include "shading/models.h"
 
@@ -29,9 +32,18 @@ struct SurfaceModel {
     double alpha = 0.3;      ///< width of the microfacet lobe
     double exponent = 40.0;  ///< of phong and blinn-phong
     double s = 0.0;          ///< weight of the highlight
+    Surroundings env = Surroundings::finish;
+    double env_limit = largest_lobe;            ///< largest weight of the mirror direction
+    double env_dw = 1.0;                        ///< solid angle of the surroundings as a lamp, for ct-effects
+    std::shared_ptr<const AlbedoTable> albedo;  ///< for env albedo; null where the lobe is too narrow to differ from a mirror
     OrenNayar oren_nayar;
     GoochTones gooch;
 };
+
+/// What `metallic` multiplies F0 by, so that the tint of a highlight or mirror fades towards grazing.
+inline Rgb metallic_f0(const Rgb& pigment, double metallic) {
+    return metallic > 0.0 ? Rgb(1.0) + metallic * (pigment - Rgb(1.0)) : Rgb(1.0);
+}
 
 /// F per channel. `tint` is what F0 is multiplied by in the terms that start from F0; the exact ones take their colour from the indices.
 inline Rgb reflectance(const SurfaceModel& model, const HalfGeometry& g, const Rgb& tint) {
@@ -59,6 +71,40 @@ inline Rgb highlight(const SurfaceModel& model, const Vec3& n, const Vec3& l, co
             return microfacet_lobe(model.terms, g, model.alpha) * reflectance(model, g, tint);
     }
     return Rgb(0.0);
+}
+
+/// Cosine outside of an interface of index `eta` for the cosine `cos` inside of it: both sides reflect alike at such a pair of angles. 0
+/// where reflection is total.
+inline double outside_cosine(double eta, double cos) { return std::sqrt(std::max(0.0, 1.0 - eta * eta * ((1.0 - cos) * (1.0 + cos)))); }
+
+/// Share of the light from the mirror direction, per channel, that goes on to a viewer at cosine `n_dot_v`; `inside` is behind the
+/// interface of a transparent body. `tint` as above. Finite; 0 at and below the horizon and where `env` leaves it to the finish.
+inline Rgb surroundings_weight(const SurfaceModel& model, double n_dot_v, bool inside, const Rgb& tint) {
+    Rgb weight(0.0);
+    if (!(n_dot_v > least_cosine)) return weight;
+    for (int channel = 0; channel < 3; ++channel) {
+        Interface x = model.interface[channel];
+        const double cos = inside && x.k == 0.0 ? outside_cosine(x.eta, std::min(1.0, n_dot_v)) : std::min(1.0, n_dot_v);
+        x.f0 *= tint[channel];
+        switch (model.env) {
+            case Surroundings::finish:
+                break;
+            case Surroundings::mirror:
+                weight[channel] = 1.0;
+                break;
+            case Surroundings::fresnel:
+                weight[channel] = F(model.terms.F, x, cos);
+                break;
+            case Surroundings::albedo:
+                weight[channel] = model.albedo ? model.albedo->at(channel, cos, tint[channel]) : F(model.terms.F, x, cos);
+                break;
+            case Surroundings::ct_effects:
+                weight[channel] = effects_environment(x.f0, model.alpha, n_dot_v, model.env_dw);
+                break;
+        }
+        weight[channel] = std::min(model.s * weight[channel], model.env_limit);
+    }
+    return weight;
 }
 
 }  // namespace rt

@@ -9,7 +9,7 @@
 namespace rt {
 
 /// Every key that a choice may have. Values, and which keys this version selects, are the business of whoever uses them.
-inline constexpr std::array<std::string_view, 33> choice_keys{"shading",
+inline constexpr std::array<std::string_view, 40> choice_keys{"shading",
                                                               "distances",
                                                               "precision",
                                                               "preset",
@@ -19,6 +19,9 @@ inline constexpr std::array<std::string_view, 33> choice_keys{"shading",
                                                               "G",
                                                               "F",
                                                               "alpha",
+                                                              "alpha-floor",
+                                                              "env",
+                                                              "env-clamp",
                                                               "s",
                                                               "eta",
                                                               "k",
@@ -41,7 +44,11 @@ inline constexpr std::array<std::string_view, 33> choice_keys{"shading",
                                                               "att",
                                                               "att-coefficients",
                                                               "range",
-                                                              "spot"};
+                                                              "spot",
+                                                              "edges",
+                                                              "edge-width",
+                                                              "edge-color",
+                                                              "edge-angle"};
 
 /// Takes a directive comment that comes next and adds its choices to `options`; false if none comes next.
 /// Fails at the first word that is no key=value or has an unknown key.

@@ -1,6 +1,8 @@
 // Pixel and sub-pixel position to camera ray.
 #pragma once
 
+#include <algorithm>
+
 #include "world/world.h"
 
 namespace rt {
@@ -12,6 +14,14 @@ inline Ray camera_ray(const CameraBasis& camera, double x, double y, int width, 
     const Vec3 across = u * camera.right + v * camera.up;
     if (camera.orthographic) return {camera.origin + across, unit(camera.direction)};
     return {camera.origin, unit(camera.direction + across)};
+}
+
+/// Angle in radians between the rays of two neighbouring pixels in the middle of the picture, the larger of both ways; 0 for rays that are
+/// parallel.
+inline double pixel_angle(const CameraBasis& camera, int width, int height) {
+    if (camera.orthographic) return 0.0;
+    const double distance = length(camera.direction);
+    return std::atan(std::max(length(camera.right) / width, length(camera.up) / height) / distance);
 }
 
 }  // namespace rt

@@ -34,7 +34,8 @@ LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
 }
 
 double LightSource::cone(const Vec3& from_light) const {
-    if (rules_.exponent_spots) return spot(axis_, -from_light, light_->tightness);
+    if (rules_.exponent_spots)
+        return rules_.clamp_after ? spot_clamped_after(axis_, -from_light, light_->tightness) : spot(axis_, -from_light, light_->tightness);
     const double a = dot(axis_, from_light);
     if (!(a > 0.0)) return 0.0;
     double factor = light_->tightness == 0.0 ? 1.0 : std::pow(std::fmin(a, 1.0), light_->tightness);

@@ -172,8 +172,7 @@ Rgb Lighting::catalogue_highlight(const View& view, const ActiveLayer& layer, co
     const bool above = half_geometry(view.at.normal, l, v, view.incline_v, g);
     if (!above && model.specular != SurfaceModel::Specular::phong) return Rgb(0.0);
     if (model.terms.half_of_normal_and_view) halve_normal_and_view(view.at.normal, v, g);
-    const double metallic = layer.finish->finish.metallic;
-    const Rgb tint = metallic > 0.0 ? Rgb(1.0) + metallic * (layer.color.rgb - Rgb(1.0)) : Rgb(1.0);
+    const Rgb tint = metallic_f0(layer.color.rgb, layer.finish->finish.metallic);
     return model.s * highlight(model, view.at.normal, l, v, g, tint);
 }
 

@@ -42,6 +42,16 @@ struct TraceOptions {
     std::shared_ptr<const Environment> environment;  ///< instead of the scene's background
 };
 
+/// Lines drawn over the picture.
+struct EdgeOptions {
+    enum class Kind { off, silhouette, crease, all };
+    Kind kind = Kind::off;
+    double width = 1.0;          ///< in pixels
+    Rgb color{0.0};              ///< in the working space
+    double crease_angle = 30.0;  ///< degrees between the surface's normals from which on a crease has a line
+    bool operator==(const EdgeOptions&) const = default;
+};
+
 /// How pixels become samples.
 struct Sampling {
     enum class Method {

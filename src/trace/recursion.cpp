@@ -17,8 +17,16 @@ struct Reflectivity {
     double weight = 0.0;  ///< what the ray's weight is multiplied by
 };
 
-Reflectivity reflectivity(const Reflection& mirror, const Rgb& pigment, double cos, double fresnel_eta) {
+/// By the finish's `reflection`, or by what the catalogue says of the surroundings; `inside` of a transparent body.
+Reflectivity reflectivity(const LayerSample& layer, double cos, double fresnel_eta, bool inside) {
+    const Reflection& mirror = layer.finish->finish.reflection;
+    const Rgb& pigment = layer.color.rgb;
     Reflectivity r;
+    if (const SurfaceModel& model = layer.finish->model; model.env != Surroundings::finish) {
+        r.rgb = surroundings_weight(model, cos, inside, metallic_f0(pigment, layer.finish->finish.metallic));
+        r.weight = max_component(r.rgb);
+        return r;
+    }
     if (mirror.fresnel) {
         const double F = fresnel_reflectance(fresnel_eta, cos);
         r.rgb = F * mirror.max + (1.0 - F) * mirror.min;
@@ -173,11 +181,13 @@ void Recursion::resolve_layers(Surface& surface, double weight) {
         layers_.push_back({c, layer.finish, opacity(c.rgb, c.filter, c.transmit, world_.legacy_opacity), surface.filter});
         Rgb lost(0.0);
         if (layer.finish->reflects) {
-            const Reflection& mirror = layer.finish->finish.reflection;
             const double cos = -dot(surface.at.direction, surface.at.normal);
-            const Reflectivity r = reflectivity(mirror, c.rgb, cos, surface.crossing.fresnel_eta);
+            const bool inside = surface.crossing.leaves() && world_.materials[surface.object->material].can_transmit;
+            const Reflectivity r = reflectivity(layer, cos, surface.crossing.fresnel_eta, inside);
             if (quality_.reflection && r.rgb != Rgb(0.0)) {
-                mirrors_.push_back({r.rgb, weight * surface.trans * r.weight, mirror.exponent});
+                const bool by_finish = layer.finish->model.env == Surroundings::finish;
+                const double exponent = by_finish ? layer.finish->finish.reflection.exponent : 1.0;
+                mirrors_.push_back({r.rgb, weight * surface.trans * r.weight, exponent});
             }
             if (layer.finish->finish.conserve_energy) lost = r.rgb;
         }

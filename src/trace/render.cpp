@@ -17,6 +17,7 @@
 
 #include "core/source.h"
 #include "trace/camera.h"
+#include "trace/edges.h"
 
 namespace rt {
 namespace {
@@ -201,6 +202,7 @@ private:
 /// What one worker keeps from tile to tile.
 struct Worker {
     std::unique_ptr<Tracer> tracer;
+    std::optional<EdgeLines> edges;
     SamplingTask task;
     std::vector<Pixel> pixels;
     std::vector<Ray> rays;
@@ -220,8 +222,14 @@ float in_film(double light) {
     return static_cast<float>(std::isfinite(light) ? std::clamp(light, -most, most) : light);
 }
 
+Pixel pixel_of(const Rgb& rgb, double transmittance) {
+    return {in_film(rgb.r), in_film(rgb.g), in_film(rgb.b), static_cast<float>(transmittance)};
+}
+
 void prepare(Worker& worker, const World& world, const RenderOptions& options) {
     worker.tracer = std::make_unique<Tracer>(world, options.trace);
+    if (options.edges.kind != EdgeOptions::Kind::off)
+        worker.edges.emplace(world, options.edges, options.trace.distances, options.width, options.height);
     worker.task = {options.sampling, comparison_of(options), options.stop, {}};
     worker.task.samples = [&world, &options, &worker](std::span<const Vec2> points, int scale, std::span<Pixel> pixels) {
         worker.rays.resize(points.size());
@@ -231,9 +239,11 @@ void prepare(Worker& worker, const World& world, const RenderOptions& options) {
         worker.tracer->camera_rays(worker.rays, worker.light);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Radiance& light = worker.light[i];
-            pixels[i] = {in_film(light.rgb.r), in_film(light.rgb.g), in_film(light.rgb.b),
-                         options.alpha ? static_cast<float>(light.transmittance) : 0.0f};
+            pixels[i] = pixel_of(light.rgb, options.alpha ? light.transmittance : 0.0);
         }
+        if (!worker.edges) return;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (worker.edges->covers(points[i], scale)) pixels[i] = pixel_of(options.edges.color, 0.0);
     };
 }
 
@@ -291,6 +301,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
     });
     for (const Worker& worker : workers) {
         if (worker.tracer) result.counts += worker.tracer->counts();
+        if (worker.edges) result.counts.edge += worker.edges->rays;
         result.non_finite += worker.non_finite;
         result.complete = result.complete && worker.complete;
     }

@@ -23,6 +23,7 @@ struct RenderOptions {
     bool working_srgb = false;  ///< the working space is the sRGB curve; working_gamma says nothing then
     bool alpha = false;         ///< the picture keeps its transmittance; otherwise it is 0 everywhere and anti-aliasing does not compare it
     TraceOptions trace;
+    EdgeOptions edges;
     const std::atomic<bool>* stop = nullptr;    ///< set by Ctrl-C: keep the rows that are finished and return
     std::function<void(double done)> progress;  ///< called from one worker at a time, done in 0..1, at most ten times a second
 };

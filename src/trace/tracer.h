@@ -14,8 +14,9 @@ namespace rt {
 /// Rays cast, by kind. Plain counters: each worker has its own, summed at the end.
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
+    std::uint64_t edge = 0;  ///< around samples, for lines over the picture
     RayCounts& operator+=(const RayCounts& o) {
-        camera += o.camera, shadow += o.shadow, reflected += o.reflected, refracted += o.refracted;
+        camera += o.camera, shadow += o.shadow, reflected += o.reflected, refracted += o.refracted, edge += o.edge;
         return *this;
     }
 };

@@ -14,7 +14,7 @@ namespace rt {
 struct SurfaceFinish {
     Finish finish;                  ///< POV-Ray's coefficients as stated
     double specular_exponent = 20;  ///< POV-Ray's 1/roughness; 0 for roughness 0
-    bool reflects = false;          ///< some channel of reflection min or max differs from 0
+    bool reflects = false;          ///< some channel of reflection min or max differs from 0, or the model chose surroundings for it
     // The general form: r = ambient + sum lc [(1-s) diffuse pigment (n.l)^brilliance + s (n.l) D G F / (4 n.l n.v)].
     SurfaceModel model;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace rt {
@@ -101,13 +102,41 @@ bool can_reflect(const std::vector<LayerNode>& layers) {
 
 }  // namespace
 
+/// Whether the surface reflects, by the finish or by the model's surroundings, and what it needs for that.
+void MaterialTable::choose_mirror(SurfaceFinish& surface, const Span& span) {
+    const Reflection& stated = surface.finish.reflection;
+    surface.reflects = stated.min != Rgb(0.0) || stated.max != Rgb(0.0);
+    SurfaceModel& model = surface.model;
+    if (model.env == Surroundings::finish) return;
+    if (surface.reflects && !warned_reflection_) {
+        warned_reflection_ = true;
+        warn_(scene_.sources.describe(
+            span, "Warning",
+            "The choice of 'env' replaces the 'reflection' of the finish, here and maybe in further finishes; env=finish keeps it."));
+    }
+    surface.reflects = model.s > 0.0;
+    if (model.env != Surroundings::albedo || !surface.reflects || model.alpha < AlbedoTable::least_alpha) return;
+    const auto same = [&](const KnownAlbedo& known) {
+        const MicrofacetTerms &a = known.terms, &b = model.terms;
+        return a.D == b.D && a.G == b.G && a.F == b.F && known.alpha == model.alpha &&
+               std::equal(std::begin(known.interface), std::end(known.interface), std::begin(model.interface));
+    };
+    auto known = std::find_if(albedos_.begin(), albedos_.end(), same);
+    if (known == albedos_.end()) {
+        KnownAlbedo made{model.terms, {}, model.alpha, std::make_shared<AlbedoTable>(model.terms, model.interface, model.alpha)};
+        std::copy(std::begin(model.interface), std::end(model.interface), made.interface);
+        known = albedos_.insert(albedos_.end(), std::move(made));
+    }
+    model.albedo = known->table;
+}
+
 SurfaceFinish MaterialTable::make_finish(const Finish& finish, double ior, const Span& span) {
     SurfaceFinish surface;
     surface.finish = finish;
     const double roughness = finish.roughness.value_or(0.05);
     surface.specular_exponent = roughness == 0.0 ? 0.0 : 1.0 / roughness;
-    surface.reflects = finish.reflection.min != Rgb(0.0) || finish.reflection.max != Rgb(0.0);
     surface.model = fill(options_.choose ? options_.choose(finish) : ModelChoice{}, finish, ior, options_.alpha);
+    choose_mirror(surface, span);
     if (surface.model.lecture)
         surface.finish.diffuse = surface.finish.diffuse_back = lecture_diffuse(grey(finish.ambient), surface.model.s);
     if (surface.model.alpha > 1.0 && surface.model.s > 0.0 && options_.general_shading && !warned_alpha_) {

@@ -33,6 +33,15 @@ private:
     std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, const Span& span);
     LayerNode make_layer(const Texture& texture, double ior, const Span& span);
     SurfaceFinish make_finish(const Finish& finish, double ior, const Span& span);
+    void choose_mirror(SurfaceFinish& surface, const Span& span);
+
+    /// A table and what it was made from: finishes with equal lobes share it.
+    struct KnownAlbedo {
+        MicrofacetTerms terms;
+        Interface interface[3];
+        double alpha;
+        std::shared_ptr<const AlbedoTable> table;
+    };
 
     const Scene& scene_;
     const CompileOptions& options_;
@@ -42,7 +51,8 @@ private:
     std::unordered_map<const void*, std::size_t> hashes_;  ///< of the layers that are more than one pigment
     std::size_t max_nodes_;
     std::size_t nodes_ = 0;
-    bool warned_specular_ = false, warned_alpha_ = false;
+    std::vector<KnownAlbedo> albedos_;
+    bool warned_specular_ = false, warned_alpha_ = false, warned_reflection_ = false;
 };
 
 /// The interior of an object with the legacy keywords of its finish merged in.

@@ -31,10 +31,11 @@ Interface interface_for(const ModelChoice& choice, double ior, int channel) {
 SurfaceModel fill(const ModelChoice& choice, const Finish& finish, double ior, AlphaMapping mapping) {
     SurfaceModel model = choice.model;
     model.s = choice.s.value_or(std::fmin(std::fmax(finish.specular, 0.0), 1.0));
-    model.alpha = choice.alpha.value_or(mapped_alpha(finish.roughness, choice.mapping.value_or(mapping)));
+    model.alpha = std::fmax(choice.alpha_floor, choice.alpha.value_or(mapped_alpha(finish.roughness, choice.mapping.value_or(mapping))));
     // Where no exponent is stated, the one whose highlight is as wide: 2 / roughness^2 - 2 with alpha = roughness^2.
     model.exponent = choice.exponent.value_or(finish.roughness ? std::fmax(0.0, 2.0 / model.alpha - 2.0) : finish.phong_size);
     model.terms.factor = choice.norm * choice.units * choice.dw;
+    model.env_dw = choice.dw;
     for (int channel = 0; channel < 3; ++channel) model.interface[channel] = interface_for(choice, ior, channel);
     model.colorless = model.interface[0] == model.interface[1] && model.interface[0] == model.interface[2];
     return model;

@@ -20,6 +20,7 @@ struct ModelChoice {
     SurfaceModel model;
     std::optional<AlphaMapping> mapping;
     std::optional<double> alpha, exponent, s;
+    double alpha_floor = 0.0;  ///< least alpha, wherever it comes from
     std::optional<Rgb> f0, eta, k;
     LampRules lamps;                           ///< of the whole picture
     double norm = 1.0, units = 1.0, dw = 1.0;  ///< factors on the microfacet lobe: of a misprint, of the units, of the lamps' solid angle

@@ -66,6 +66,32 @@ TEST_F(ChoicesInScenes, OfAFileAFinishAndTheCommandLineReplaceEachOther) {
     EXPECT_TRUE(same(picture("", "", {"--D", "beckmann", "--preset", "modern"}), beckmann)) << "presets first, whatever the order";
 }
 
+TEST_F(ChoicesInScenes, LinesOverThePictureWithEveryShading) {
+    const auto picture = [&](const std::string& comment, std::vector<std::string> options) {
+        state(comment);
+        options.insert(options.begin(), {"c.pov", "--size=24x18", "-q", "-o", "c.ppm"});
+        EXPECT_EQ(run(options).status, 0);
+        return here.read("c.ppm");
+    };
+    const std::string plain = picture("", {}), drawn = picture("", {"--edges", "all", "--edge-color", "0,1,0"});
+    EXPECT_FALSE(plain == drawn);
+    EXPECT_TRUE(picture("//! raytrace: edges=all edge-color=0,1,0", {}) == drawn);
+    EXPECT_TRUE(picture("//! raytrace: edges=all edge-color=0,1,0", {"--edges=off"}) == plain) << "the command line wins";
+    EXPECT_FALSE(picture("", {"--edges", "all", "--edge-color", "0,1,0", "--edge-width=3"}) == drawn);
+    const std::string povray = picture("", {"--shading", "povray", "--edges", "all", "--edge-color", "0,1,0"});
+    EXPECT_NE(povray.find(std::string("\0\377\0", 3)), std::string::npos);
+}
+
+TEST_F(ChoicesInScenes, StatsTellOfLobesNarrowerThanASample) {
+    const std::string shiny = "sphere { 3, 1 pigment { rgb 1 } finish { specular 1 roughness 0.05 } }";  // alpha 0.0025
+    state(shiny);
+    // A pixel of 8 columns spans atan(4 / 3 / 8) = 0.1652.
+    const std::string told = "lobes narrower than a sample: 1 materials, alpha 0.0025 and more, below 0.0826; highlights may be lost\n";
+    EXPECT_NE(run({"c.pov", "--size=8x6", "--stats"}).err.find(told), std::string::npos) << run({"c.pov", "--size=8x6", "--stats"}).err;
+    for (const char* option : {"--shading=povray", "--alpha=0.1", "--alpha=0", "--ss=40"})
+        EXPECT_EQ(run({"c.pov", "--size=8x6", "--stats", option}).err.find("lobes narrower"), std::string::npos) << option;
+}
+
 TEST_F(ChoicesInScenes, UnderPovRaysShadingTheCatalogueIsSaidToHaveNoEffect) {
     state("");
     EXPECT_EQ(run({"c.pov", "--size=8x6", "--shading", "povray", "--D", "beckmann"}).err,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "commands/edge_choices.h"
 #include "core/source.h"
 #include "shading/names.h"
 #include "syntax/choices.h"
@@ -26,7 +27,8 @@ std::string refusal(const std::string& key, const std::string& value) {
 TEST(ModelChoices, TheSceneKnowsEveryKeyOfTheCatalogue) {
     for (const ModelKey& key : model_keys())
         EXPECT_NE(std::find(choice_keys.begin(), choice_keys.end(), key.key), choice_keys.end()) << key.key;
-    for (const std::string_view key : choice_keys) EXPECT_TRUE(is_model_key(key) || key == "distances" || key == "precision") << key;
+    for (const std::string_view key : choice_keys)
+        EXPECT_TRUE(is_model_key(key) || is_edge_key(key) || key == "distances" || key == "precision") << key;
 }
 
 TEST(ModelChoices, NothingChosenIsTheGeneralForm) {
@@ -48,6 +50,7 @@ TEST(ModelChoices, EveryNameIsAccepted) {
     all("D", distribution_names);
     all("G", masking_names);
     all("F", fresnel_names);
+    all("env", surroundings_names);
     all("preset", preset_names);
     all("material", material_names);
 }
@@ -72,6 +75,37 @@ TEST(ModelChoices, MaterialsAreConstants) {
     EXPECT_NEAR(filled.interface[0].f0, 0.967, 5e-4);
     EXPECT_NEAR(filled.interface[1].f0, 0.802, 5e-4);
     EXPECT_FALSE(filled.colorless);
+}
+
+TEST(ModelChoices, MaterialsAndPresetsSayWhatTheyMirror) {
+    const auto env = [](const std::vector<ModelOption>& options) { return chosen(options).model.env; };
+    EXPECT_EQ(env({}), Surroundings::finish);
+    EXPECT_EQ(env({{"material", "shiny-gold"}}), Surroundings::albedo);
+    EXPECT_EQ(env({{"material", "silver"}}), Surroundings::albedo);
+    EXPECT_EQ(env({{"material", "mirror"}}), Surroundings::fresnel);
+    EXPECT_EQ(env({{"material", "dull-gold"}}), Surroundings::finish) << "a sharp picture on a dull surface would be wrong";
+    EXPECT_EQ(env({{"preset", "effects"}}), Surroundings::ct_effects);
+    EXPECT_EQ(env({{"env", "finish"}, {"preset", "effects"}}), Surroundings::finish);
+    EXPECT_EQ(fill(chosen({{"preset", "effects"}}), Finish(), 1.5, AlphaMapping::roughness2).env_dw, 1e-4);
+    EXPECT_EQ(chosen({{"env-clamp", "1"}}).model.env_limit, 1.0);
+}
+
+TEST(ModelChoices, NoAlphaIsBelowItsFloor) {
+    Finish finish;
+    const auto alpha = [&](const std::vector<ModelOption>& options) {
+        return fill(chosen(options), finish, 1.5, AlphaMapping::roughness2).alpha;
+    };
+    finish.roughness = 1e-6;
+    EXPECT_EQ(alpha({}), 1e-6 * 1e-6);
+    EXPECT_EQ(alpha({{"alpha-floor", "1e-8"}}), 1e-8);
+    EXPECT_EQ(alpha({{"alpha-floor", "0.2"}, {"alpha", "0"}}), 0.2);
+    EXPECT_EQ(alpha({{"alpha-floor", "0.2"}, {"alpha", "0.3"}}), 0.3);
+}
+
+TEST(ModelChoices, ClampIsForHighlightsAndLamps) {
+    const ModelChoice after = chosen({{"clamp", "after"}, {"spot", "exponent"}});
+    EXPECT_TRUE(after.model.clamp_after && after.lamps.clamp_after && after.lamps.exponent_spots);
+    EXPECT_FALSE(chosen({{"clamp", "before"}}).lamps.clamp_after);
 }
 
 TEST(ModelChoices, FactorsMultiply) {

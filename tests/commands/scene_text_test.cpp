@@ -113,6 +113,25 @@ TEST(Requirements, NameEveryFeatureOfTexturesAndInteriors) {
                                         "phong highlights", "reflection", "refraction", "specular highlights", "transparency"}));
 }
 
+TEST(Requirements, FollowTheChoicesOfTheScene) {
+    const auto features = [](const std::vector<SceneOption>& options, double reflection) {
+        Scene scene;
+        scene.options = options;
+        PlainTexture shiny;
+        shiny.finish.specular = 0.5;
+        shiny.finish.reflection.min = shiny.finish.reflection.max = Rgb(reflection);
+        scene.objects.push_back(object(Sphere{}, std::vector<Texture>{Texture{shiny}}));
+        return requirements_of(scene).features;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(features({}, 0.0), (Names{"specular highlights"}));
+    EXPECT_EQ(features({{"env", "fresnel", {}}}, 0.0), (Names{"reflection", "specular highlights"}));
+    EXPECT_EQ(features({{"env", "fresnel", {}}, {"s", "0", {}}}, 0.7), (Names{"specular highlights"}))
+        << "replaced by a mirror of no weight";
+    EXPECT_EQ(features({{"env", "fresnel", {}}, {"shading", "povray", {}}}, 0.0), (Names{"specular highlights"}));
+    EXPECT_EQ(features({{"edges", "crease", {}}}, 0.0), (Names{"edge lines", "specular highlights"}));
+}
+
 TEST(Requirements, PlaceWhatIsNotModelled) {
     Scene scene;
     scene.sources.add({"main.pov", "camera {}\n  fog { distance 3 }\n"});
@@ -194,7 +213,7 @@ TEST_F(Choices, OfAFinishAreCheckedWithTheirPlace) {
                                         "G: 'smith' is unknown; expected one of ggx, ggx-hc, cook-torrance, beckmann, beckmann-hc, "
                                         "beckmann-rational, none");
     EXPECT_EQ(finish("k", "-1"), place + "k: -1 is less than 0");
-    EXPECT_EQ(finish("eta", "0"), place + "eta: 0 is less than 1e-300");
+    EXPECT_EQ(finish("eta", "0"), place + "eta: expected an index of refraction above 0, not '0'");
     EXPECT_EQ(finish("eta", "1,2"), place + "eta: expected one number or three, not '1,2'");
     EXPECT_EQ(finish("alpha", "nan"), place + "alpha: 'nan' is unknown; expected roughness2, povray, direct or a number");
     EXPECT_EQ(finish("s", "1.5"), place + "s: 1.5 is outside 0 to 1");

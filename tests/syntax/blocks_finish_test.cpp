@@ -159,8 +159,9 @@ TEST(Choices, BelongToTheFinishTheyStandIn) {
 TEST(Choices, UnknownKeysAndMalformedOnesAreErrors) {
     EXPECT_EQ(parse_block("//! raytrace: shadng=povray\n").error,
               "Unknown key 'shadng' after '//! raytrace:', known are shading, distances, precision, preset, material, diffuse, D, G, "
-              "F, alpha, s, eta, k, f0, exponent, sigma, fresnel-arg, half, norm, blinn-power, units, dw, denominator, raw, ambient, "
-              "attenuate-ambient, clamp, phong-gate, gooch, att, att-coefficients, range, spot");
+              "F, alpha, alpha-floor, env, env-clamp, s, eta, k, f0, exponent, sigma, fresnel-arg, half, norm, blinn-power, units, dw, "
+              "denominator, raw, ambient, attenuate-ambient, clamp, phong-gate, gooch, att, att-coefficients, range, spot, edges, "
+              "edge-width, edge-color, edge-angle");
     EXPECT_EQ(parse_block("//! raytrace: D\n").error, "Expected 'key=value' after '//! raytrace:', 'D' found instead");
     EXPECT_EQ(parse_block("//! raytrace: D=\n").error, "Expected 'key=value' after '//! raytrace:', 'D=' found instead");
     EXPECT_EQ(parse_block("//! raytrace: precision=fast distances=scaled F=schlick\n").error, "");

@@ -16,7 +16,8 @@ struct Case {
     Vec3 v{1.2, 2.0, -0.7};
     std::vector<Vec3> lamps{{-2.0, 5.0, 1.5}};
     LampRules rules{};
-    std::optional<Vec3> spot_at{};  ///< the lamps are spotlights with tightness 10
+    std::optional<Vec3> spot_at{};  ///< the lamps are spotlights
+    double tightness = 10.0;
 
     Rgb traced(const ModelChoice& choice) const {
         Finish finish = plain(ambient, diffuse);
@@ -28,7 +29,7 @@ struct Case {
             if (!spot_at) continue;
             lights.back().type = Light::Type::spotlight;
             lights.back().point_at = *spot_at;
-            lights.back().tightness = 10.0;
+            lights.back().tightness = tightness;
         }
         const Scene scene = scene_with({object(floor_plane(), texture(color(albedo), finish))}, lights);
         CompileOptions options;
@@ -193,6 +194,26 @@ TEST(Catalogue, lamps_thin_out_by_the_law_and_spots_by_their_exponent) {
     c.rules.exponent_spots = true;
     const double k = std::pow(dot(unit(*c.spot_at - c.lamps[0]), -c.l()), 10.0);
     EXPECT_RGB_NEAR(c.traced(choice), base + k * lit, 1e-12);
+}
+
+TEST(Catalogue, spots_clamped_after_the_power_as_printed) {
+    Case c;
+    const ModelChoice choice = with(SurfaceModel::Specular::none);
+    const Rgb base = albedo * ambient, lit = diffuse * c.nl() * albedo;
+    c.rules.exponent_spots = true;
+    c.spot_at = 2.0 * c.lamps[0] - Vec3(0.7, 0.0, -0.3);  // shines away
+    const double cos = dot(unit(*c.spot_at - c.lamps[0]), -c.l());
+    ASSERT_LT(cos, -0.9);
+    EXPECT_RGB_NEAR(c.traced(choice), base, 1e-15);
+    c.rules.clamp_after = true;
+    EXPECT_RGB_NEAR(c.traced(choice), base + std::pow(cos, 10.0) * lit, 1e-12) << "an even exponent lights behind";
+    for (const double without : {9.0, 2.5}) {
+        c.tightness = without;
+        EXPECT_RGB_NEAR(c.traced(choice), base, 1e-15) << without;
+    }
+    c.spot_at = Vec3(0.7, 0.0, -0.3);
+    c.tightness = 10.0;
+    EXPECT_RGB_NEAR(c.traced(choice), base + std::pow(-cos, 10.0) * lit, 1e-12) << "before it nothing changes";
 }
 
 TEST(Catalogue, ambient_light_from_every_lamp) {
