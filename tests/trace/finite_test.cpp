@@ -118,20 +118,5 @@ TEST(EveryVariant, MakesNumbers) {
     }
 }
 
-TEST(EveryVariant, BrightnessBeyondSinglePrecisionIsItsLargestNumber) {
-    // The lamp is at the camera, straight above the floor: the peak of a lobe of width 1e-100.
-    ModelChoice choice;
-    choice.s = 1.0, choice.alpha = 1e-100;
-    CompileOptions compile_options;
-    compile_options.choose = [&](const Finish&) { return choice; };
-    Scene scene = scene_with({object(Plane{Vec3(0, 0, -1), 0.0}, texture(color(Rgb(0.3)), plain()))}, {point_light({0, 0, -5})});
-    scene.camera.location = {0, 0, -5};
-    RenderOptions options;
-    options.width = options.height = 3;
-    const RenderResult result = render(compile(scene, compile_options, [](std::string_view) {}), options);
-    EXPECT_EQ(result.non_finite, 0u);
-    EXPECT_EQ(result.film.at(1, 1).g, std::numeric_limits<float>::max());
-}
-
 }  // namespace
 }  // namespace rt
