@@ -100,9 +100,10 @@ constexpr const char* edges_topic =
 --edge-color R,G,B  or one number for all three, linear (0: black)
 --edge-angle X      degrees between normals that make a crease (30)
 
-Objects are those of the scene; all triangles of a mesh are one. Half a line's
-width is on either side of its edge. As Gooch draws: --preset gooch-ct --edges
-all. In a scene: //! raytrace: edges=all edge-width=2
+Objects are those of the scene; all triangles of a mesh are one, and so are all
+triangles outside of meshes. Half a line's width is on either side of its edge.
+As Gooch draws: --preset gooch-ct --edges all. In a scene:
+//! raytrace: edges=all edge-width=2
 )";
 
 constexpr const char* sampling_topic =

@@ -6,6 +6,9 @@ namespace {
 /// Of the way between two rays, until a step or crease is told from a bend: to a thousandth of the line's width.
 constexpr int halvings = 10;
 
+/// Stands for all triangles that are objects of their own: scenes without meshes build one surface of them.
+constexpr std::uint32_t loose_triangles = 0xffffffffu;
+
 /// Along ray `b`, how far what it meets is from the plane that touches the surface where `a` meets it.
 double off_plane(const Ray& b, double t, const Vec3& point, const Vec3& side) {
     return std::fabs(t - dot(point - b.origin, side) / dot(b.direction, side));
@@ -25,7 +28,7 @@ EdgeLines::Seen EdgeLines::seen(const Vec2& place, const Ray& ray, const Hit* hi
     Seen result{.place = place, .ray = ray};
     if (hit == nullptr) return result;
     result.hit = true;
-    result.object = hit->object;
+    result.object = world_.objects[hit->object].loose_triangle ? loose_triangles : hit->object;
     result.t = hit->shape.t;
     result.point = ray.at(result.t);
     result.normal = world_.normal(*hit, result.point);

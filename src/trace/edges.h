@@ -16,9 +16,10 @@ public:
     EdgeLines(const World& world, const EdgeOptions& options, Distances distances, int width, int height);
 
     /// Whether a line covers the point (in pixels of a picture `scale` times as wide and high): some two opposite points of the circle
-    /// around it, as wide as the line, see different objects (or one sees none), two surfaces of one object with a step between them that
-    /// is more than the line is wide (outlines, all of these), or one surface that turns abruptly (a crease). What only bends or recedes
-    /// quickly is neither: between two rays a step or crease stays when they are moved together, and a bend does not.
+    /// around it, as wide as the line, see different objects (or one sees none; all loose triangles are one object), two surfaces of one
+    /// object with a step between them that is more than the line is wide (outlines, all of these), or one surface that turns abruptly (a
+    /// crease). What only bends or recedes quickly is neither: between two rays a step or crease stays when they are moved together, and a
+    /// bend does not.
     bool covers(const Vec2& point, int scale);
 
     std::uint64_t rays = 0;  ///< cast so far

@@ -106,12 +106,13 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
     world.objects.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
         const std::uint32_t material = materials.add(object);
+        const bool loose_triangle = std::holds_alternative<Triangle>(object.shape) || std::holds_alternative<SmoothTriangle>(object.shape);
         const std::uint32_t interior = add_interior(object, materials[material], world.interiors);
         require(materials[material], world.interiors[interior], world.features);
         world.features.visibility_flags |= object.no_image || object.no_reflection;
         surfaces.add(object, seen_bits(object, materials[material].can_transmit));
-        world.objects.push_back(
-            {material, interior, object.no_shadow, object.no_image, object.no_reflection, object.double_illuminate, object.span});
+        world.objects.push_back({material, interior, object.no_shadow, object.no_image, object.no_reflection, object.double_illuminate,
+                                 object.span, loose_triangle});
     }
     world.materials = materials.take();
     for (const Material& material : world.materials) {

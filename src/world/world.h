@@ -36,6 +36,7 @@ struct CompiledObject {
     std::uint32_t interior = 0;  ///< index into interiors; every object has one
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
     Span span;
+    bool loose_triangle = false;  ///< one face of a larger surface, most likely
 };
 
 /// Pixel (u, v) in [-1/2, 1/2]^2, v upwards. Perspective: from origin along direction + u right + v up.

@@ -134,6 +134,17 @@ TEST(Edges, CoplanarNeighboursOfOneObjectHaveNone) {
     EXPECT_TRUE(folded.at(47, 48) || folded.at(48, 48)) << "the diagonal of a folded one";
 }
 
+TEST(Edges, LooseTrianglesAreOneSurface) {
+    const auto square = [](double lift) {
+        const Vec3 a(-2, -2, 0), b(2, -2, 0), c(2, 2, 0), d(-2, 2, lift);
+        return flat_view({object(Triangle{a, b, c}, grey_one()), object(Triangle{a, d, c}, grey_one())});
+    };
+    const Drawing flat(world_of(square(0.0)), lines(EdgeOptions::Kind::all)), folded(world_of(square(4.0)), lines(EdgeOptions::Kind::all));
+    EXPECT_FALSE(flat.at(47, 48) || flat.at(48, 48)) << "the diagonal is no edge";
+    EXPECT_TRUE(folded.at(47, 48) || folded.at(48, 48));
+    EXPECT_TRUE(flat.at(24, 40) || flat.at(23, 40)) << "its outline";
+}
+
 TEST(Edges, APartOfAnObjectBeforeAnotherHasAnOutline) {
     // A torus from its side, tilted: its near rim stands before its far one.
     Object ring = object(Torus{1.5, 0.5}, grey_one());
