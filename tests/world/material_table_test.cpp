@@ -50,5 +50,35 @@ TEST_F(MaterialLimit, OneColorCountsNothing) {
     for (int i = 0; i < 100; ++i) EXPECT_EQ(add(plain, 1.1 + i), static_cast<std::uint32_t>(i));
 }
 
+TEST(AlbedoTables, AreMadeOncePerLobeAndOnlyWhereTheyAreAskedFor) {
+    Scene scene;
+    CompileOptions options;
+    const MessageSink sink = [](std::string_view) {};
+    ModelChoice choice;
+    choice.model.env = Surroundings::albedo;
+    options.choose = [&](const Finish&) { return choice; };
+    MaterialTable table(scene, options, sink);
+    std::deque<Object> objects;
+    const auto albedo = [&](double color, double ior, double specular) {
+        PlainTexture shiny;
+        shiny.pigment.content = PigmentColor{Rgb(color)};
+        shiny.finish.specular = specular;
+        const TextureLayers layers = std::vector<Texture>{Texture{shiny}};
+        return table[table.add(objects.emplace_back(object(layers, ior)))].layers.front().finish.model.albedo;
+    };
+    const auto first = albedo(0.1, 1.5, 0.5);
+    ASSERT_NE(first, nullptr);
+    EXPECT_EQ(albedo(0.2, 1.5, 0.7), first) << "neither the colour nor s belongs to the lobe";
+    EXPECT_NE(albedo(0.1, 1.6, 0.5), first);
+    choice.alpha = 0.123;
+    EXPECT_NE(albedo(0.3, 1.5, 0.5), first);
+    EXPECT_EQ(albedo(0.1, 1.5, 0.0), nullptr) << "no highlight, no mirror";
+    choice.alpha = 0.0;
+    EXPECT_EQ(albedo(0.4, 1.5, 0.5), nullptr) << "a mirror has Fresnel's weight";
+    choice.model.env = Surroundings::fresnel;
+    choice.alpha = 0.2;
+    EXPECT_EQ(albedo(0.5, 1.5, 0.5), nullptr);
+}
+
 }  // namespace
 }  // namespace rt
