@@ -20,20 +20,28 @@ struct MicrofacetTerms {
 /// Values beyond this are cut to it, so that no product with a light overflows; only alphas far above 1 seen at grazing come there.
 inline constexpr double largest_lobe = 1e200;
 
-/// n.l D G / (4 n.l n.v), to be multiplied by F: what one light of unit colour reflects but for Fresnel. A D that underflowed to 0 ends
-/// it before an infinite V can meet it.
-inline double microfacet_lobe(const MicrofacetTerms& terms, const HalfGeometry& g, double alpha) {
+/// n.l D G / (4 n.l n.v) without the factor. A D that underflowed to 0 ends it before an infinite V can meet it.
+inline double unscaled_lobe(const MicrofacetTerms& terms, const HalfGeometry& g, double alpha) {
     const double d = D(terms.D, g.cos2_h, g.sin2_h, alpha);
     if (d == 0.0) return 0.0;
     double V = visibility(terms.G, g, alpha);
     if (terms.clamped_denominator) V *= g.v.cos / std::max(1.0 / 16.0, g.v.cos);
     if (!terms.without_cosine) V *= g.l.cos;
-    return std::min(terms.factor * (d * V), largest_lobe);
+    return d * V;
+}
+inline double scaled_lobe(double factor, double unscaled) { return std::min(factor * unscaled, largest_lobe); }
+
+/// n.l D G / (4 n.l n.v) with the terms' factor, to be multiplied by F: what one light of unit colour reflects but for Fresnel.
+inline double microfacet_lobe(const MicrofacetTerms& terms, const HalfGeometry& g, double alpha) {
+    return scaled_lobe(terms.factor, unscaled_lobe(terms, g, alpha));
 }
 
-/// F at the cosine that the terms ask for.
+/// The cosine at which the terms ask for F.
+inline double incidence(const MicrofacetTerms& terms, const HalfGeometry& g) {
+    return terms.fresnel_at_view ? std::min(1.0, g.v.cos) : g.v_dot_h;
+}
 inline double reflectance(const MicrofacetTerms& terms, const Interface& x, const HalfGeometry& g) {
-    return F(terms.F, x, terms.fresnel_at_view ? std::min(1.0, g.v.cos) : g.v_dot_h);
+    return F(terms.F, x, incidence(terms, g));
 }
 
 /// A real-time form of Cook and Torrance's, lit by lights of the solid angle `dw`: dw k_s F D' G' / (2 m^2 pi n.v). It is the normalised
@@ -47,7 +55,7 @@ inline MicrofacetTerms effects_terms(double dw, bool linear) {
 }
 
 /// The lecture's k_s D G F / (pi n.v) with D = exp(-tan^2/m^2) / (4 m^2 cos^4): the same function as the normalised form.
-inline MicrofacetTerms lecture_terms() { return {.D = Distribution::beckmann, .G = Masking::cook_torrance, .F = Fresnel::dielectric}; }
+constexpr MicrofacetTerms lecture_terms() { return {.D = Distribution::beckmann, .G = Masking::cook_torrance, .F = Fresnel::dielectric}; }
 /// Its diffuse weight, 1 - k_a - k_s and never negative.
 inline double lecture_diffuse(double ka, double ks) { return std::max(0.0, 1.0 - ka - ks); }
 

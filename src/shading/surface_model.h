@@ -16,6 +16,18 @@ struct GoochTones {
     bool as_printed = false;  ///< a text's formula with l towards the light: cool where the light falls
 };
 
+/// A point of a surface as its viewer sees it, the same for all lamps: unit normal and direction to the viewer, and their angle.
+struct ViewedPoint {
+    Vec3 n{0.0}, v{0.0};
+    Incline incline_v;
+};
+
+struct SurfaceModel;
+/// highlight() for some of the models: see kernels.h.
+using HighlightKernel = Rgb (*)(const SurfaceModel& model, const ViewedPoint& at, const Vec3& l, const Rgb& tint);
+/// highlight() for every model: asks at each evaluation what was chosen.
+Rgb highlight_by_switches(const SurfaceModel& model, const ViewedPoint& at, const Vec3& l, const Rgb& tint);
+
 /// Light of one lamp: diffuse_share k_d (n.l) rd + s rs, or a highlight without n.l.
 struct SurfaceModel {
     enum class Specular : std::uint8_t { none, phong, blinn_phong, microfacet };
@@ -38,6 +50,10 @@ struct SurfaceModel {
     std::shared_ptr<const AlbedoTable> albedo;  ///< for env albedo; null where the lobe is too narrow to differ from a mirror
     OrenNayar oren_nayar;
     GoochTones gooch;
+    // What follows from the choices, by prepare() in kernels.h.
+    double diffuse_share = 1.0;  ///< what the diffuse term has of a lamp's light; 0 where it is none or Gooch's
+    bool sine_of_view = true;    ///< some term asks for the sine of the angle between n and v
+    HighlightKernel kernel = highlight_by_switches;
 };
 
 /// What `metallic` multiplies F0 by, so that the tint of a highlight or mirror fades towards grazing.
@@ -45,32 +61,41 @@ inline Rgb metallic_f0(const Rgb& pigment, double metallic) {
     return metallic > 0.0 ? Rgb(1.0) + metallic * (pigment - Rgb(1.0)) : Rgb(1.0);
 }
 
-/// F per channel. `tint` is what F0 is multiplied by in the terms that start from F0; the exact ones take their colour from the indices.
-inline Rgb reflectance(const SurfaceModel& model, const HalfGeometry& g, const Rgb& tint) {
-    if (model.colorless && tint == Rgb(1.0)) return Rgb(reflectance(model.terms, model.interface[0], g));
-    Rgb result;
-    for (int channel = 0; channel < 3; ++channel) {
-        Interface x = model.interface[channel];
-        x.f0 *= tint[channel];
-        result[channel] = reflectance(model.terms, x, g);
-    }
-    return result;
+/// The point as models see it of which some ask for the sine, or none does: it costs as much as a whole term.
+inline ViewedPoint viewed_point(const Vec3& n, const Vec3& v, bool sine) {
+    return {n, v, sine ? incline(n, v) : Incline{accurate_dot(n, v), 0.0}};
 }
 
-/// The highlight of a lamp of unit colour, to be multiplied by s: n.l rs, or Phong's lobe. `g` is of the same n, l and v; directions at or
-/// below the surface never come here but for ungated Phong.
-inline Rgb highlight(const SurfaceModel& model, const Vec3& n, const Vec3& l, const Vec3& v, const HalfGeometry& g, const Rgb& tint) {
-    switch (model.specular) {
-        case SurfaceModel::Specular::none:
-            return Rgb(0.0);
-        case SurfaceModel::Specular::phong:
-            return Rgb(model.clamp_after ? phong_clamped_after(n, l, v, model.exponent) : phong(n, l, v, model.exponent, model.phong_gate));
-        case SurfaceModel::Specular::blinn_phong:
-            return Rgb(blinn_phong(g, model.exponent));
-        case SurfaceModel::Specular::microfacet:
-            return microfacet_lobe(model.terms, g, model.alpha) * reflectance(model, g, tint);
-    }
-    return Rgb(0.0);
+/// F at cosine c of an interface whose channels differ, or that is tinted.
+Rgb colored_reflectance(Fresnel kind, const SurfaceModel& model, double c, const Rgb& tint);
+
+/// n.l rs with these terms; the model has the numbers, the factor as well. The compiler takes out every question that constant terms
+/// answer.
+inline Rgb microfacet_highlight(const MicrofacetTerms& terms, const SurfaceModel& model, const ViewedPoint& at, const Vec3& l,
+                                const Rgb& tint) {
+    HalfGeometry g;
+    if (!half_geometry(at.n, l, at.v, at.incline_v, g)) return Rgb(0.0);
+    if (terms.half_of_normal_and_view) halve_normal_and_view(at.n, at.v, g);
+    const double lobe = scaled_lobe(model.terms.factor, unscaled_lobe(terms, g, model.alpha));
+    const double c = incidence(terms, g);
+    if (model.colorless && tint == Rgb(1.0)) return Rgb(lobe * F(terms.F, model.interface[0], c));
+    return lobe * colored_reflectance(terms.F, model, c, tint);
+}
+
+/// The highlight of a lamp of unit colour in direction `l`, to be multiplied by s: n.l rs, or Phong's lobe. 0 for directions at or below
+/// the surface, but for ungated Phong. `tint` is what F0 is multiplied by in the terms that start from F0; the exact ones take their colour
+/// from the indices.
+inline Rgb highlight(const SurfaceModel& model, const ViewedPoint& at, const Vec3& l, const Rgb& tint) {
+    return model.kernel(model, at, l, tint);
+}
+
+/// The diffuse term as a factor on k_d (n.l): rd and the share of the light that the highlight leaves to it. Gooch's tones are no such
+/// factor.
+inline double diffuse_factor(const SurfaceModel& model, const ViewedPoint& at, const Vec3& l, double n_dot_l) {
+    if (model.diffuse != Diffuse::oren_nayar) [[likely]]
+        return model.diffuse_share;
+    const double n_dot_v = at.incline_v.cos;
+    return n_dot_v > 0.0 && n_dot_l > 0.0 ? model.diffuse_share * model.oren_nayar(n_dot_l, n_dot_v, dot(l, at.v)) : 0.0;
 }
 
 /// Cosine outside of an interface of index `eta` for the cosine `cos` inside of it: both sides reflect alike at such a pair of angles. 0

@@ -22,7 +22,7 @@ Lighting::Lighting(const World& world, const TraceOptions& options, const Distan
 Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                               RayNode* log) const {
     View view{.at = at, .layers = layers, .inside = inside, .both_sides = world_.objects[at.object].double_illuminate, .log = log};
-    bool inclined = false;
+    bool inclined = false, sine = false;
     for (const ActiveLayer& layer : layers) {
         const Finish& finish = layer.finish->finish;
         view.any_diffuse |= finish.diffuse > 0.0 && layer.opacity != 0.0;
@@ -33,10 +33,11 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
         view.any_highlight |= model.s != 0.0;
         view.unshadowed |= model.diffuse == Diffuse::gooch || model.ambient_per_light;
         view.ungated |= !model.phong_gate;
+        sine |= model.s != 0.0 && model.sine_of_view;
         inclined |= model.s != 0.0 || model.diffuse == Diffuse::oren_nayar;
     }
     if (view.any_highlight) view.mirrored = reflect(at.direction, at.normal);
-    if (inclined) view.incline_v = incline(at.normal, -at.direction);
+    if (inclined) view.seen = viewed_point(at.normal, -at.direction, sine);
     return view;
 }
 
@@ -105,28 +106,11 @@ void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& l
         const Finish& finish = layer.finish->finish;
         const Rgb arriving = layer.above * light;
         double diffuse = std::fmax(0.0, front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
-        if (general_) diffuse *= diffuse_term(view, layer.finish->model, l, cos);
+        if (general_) diffuse *= diffuse_factor(layer.finish->model, view.seen, l, cos);
         if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
         const bool lit = front || (general_ && !layer.finish->model.phong_gate);
         if (lit && !shadowless && view.any_highlight) result.specular += arriving * highlights(view, layer, l, n_dot_l);
     }
-}
-
-/// rd and the share of the light that the highlight leaves to it.
-double Lighting::diffuse_term(const View& view, const SurfaceModel& model, const Vec3& l, double n_dot_l) const {
-    const double share = model.shares ? 1.0 - model.s : 1.0;
-    switch (model.diffuse) {
-        case Diffuse::lambert:
-            return share;
-        case Diffuse::oren_nayar: {
-            const double n_dot_v = view.incline_v.cos;
-            return n_dot_v > 0.0 && n_dot_l > 0.0 ? share * model.oren_nayar(n_dot_l, n_dot_v, -dot(l, view.at.direction)) : 0.0;
-        }
-        case Diffuse::gooch:  // has no shadow
-        case Diffuse::none:
-            break;
-    }
-    return 0.0;
 }
 
 /// What a lamp adds whether or not its light arrives: Gooch's tones, averaged over the lamps, and ambient light by the lamp.
@@ -167,13 +151,8 @@ Rgb Lighting::highlights(const View& view, const ActiveLayer& layer, const Vec3&
 
 Rgb Lighting::catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const {
     const SurfaceModel& model = layer.finish->model;
-    const Vec3 v = -view.at.direction;
-    HalfGeometry g;
-    const bool above = half_geometry(view.at.normal, l, v, view.incline_v, g);
-    if (!above && model.specular != SurfaceModel::Specular::phong) return Rgb(0.0);
-    if (model.terms.half_of_normal_and_view) halve_normal_and_view(view.at.normal, v, g);
     const Rgb tint = metallic_f0(layer.color.rgb, layer.finish->finish.metallic);
-    return model.s * highlight(model, view.at.normal, l, v, g, tint);
+    return model.s * highlight(model, view.seen, l, tint);
 }
 
 }  // namespace rt

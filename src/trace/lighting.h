@@ -48,7 +48,7 @@ private:
         bool unshadowed = false;  ///< some layer takes from a lamp whether or not its light arrives
         bool ungated = false;     ///< some highlight does not ask on which side the lamp is
         Vec3 mirrored{0.0};
-        Incline incline_v{};
+        ViewedPoint seen{};  ///< where a term of the catalogue asks for it
         RayNode* log = nullptr;
     };
     View view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, RayNode* log) const;
@@ -58,7 +58,6 @@ private:
     void add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const;
     Rgb highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
     Rgb catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const;
-    double diffuse_term(const View& view, const SurfaceModel& model, const Vec3& l, double n_dot_l) const;
     void add_unshadowed(const LightSource& source, const View& view, const LightRay& ray, double n_dot_l, LocalLight& result) const;
 
     const World& world_;

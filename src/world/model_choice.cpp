@@ -1,5 +1,7 @@
 #include "world/model_choice.h"
 
+#include "shading/kernels.h"
+
 namespace rt {
 
 namespace {
@@ -38,6 +40,7 @@ SurfaceModel fill(const ModelChoice& choice, const Finish& finish, double ior, A
     model.env_dw = choice.dw;
     for (int channel = 0; channel < 3; ++channel) model.interface[channel] = interface_for(choice, ior, channel);
     model.colorless = model.interface[0] == model.interface[1] && model.interface[0] == model.interface[2];
+    prepare(model);
     return model;
 }
 
