@@ -155,6 +155,7 @@ int print_albedo(const IntegralRequest& request) {
 }  // namespace
 
 int run_brdf(const Words& words) {
+    if (!words.empty() && words[0] == "plot") return run_brdf_plot({words.begin() + 1, words.end()});
     CommandLine line(brdf_usage, brdf_footer);
     IntegralRequest request;
     define_integrals(line, request);
@@ -179,7 +180,7 @@ int run_brdf(const Words& words) {
     }
     if (action == "normalization" && rest.size() == 1) return print_normalization(request);
     if (action == "albedo" && rest.size() == 1) return print_albedo(request);
-    throw OptionError(fmt::format("brdf: expected 'eval', 'check', 'normalization' or 'albedo'{}; see raytrace brdf --help",
+    throw OptionError(fmt::format("brdf: expected 'eval', 'check', 'normalization', 'albedo' or 'plot'{}; see raytrace brdf --help",
                                   action.empty() ? "" : fmt::format(" instead of '{}'", action)));
 }
 

@@ -15,6 +15,7 @@ int run_render(const Words& words);
 int run_requires(const Words& words);
 int run_compare(const Words& words);
 int run_brdf(const Words& words);
+int run_brdf_plot(const Words& words);
 int run_help(const Words& words);
 int run_version(const Words& words);
 /// The course's dialect; `command` is its first word.

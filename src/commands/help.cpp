@@ -24,9 +24,8 @@ const char* const compare_footer =
     "...";
 const char* const brdf_usage =
     "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check FILE...\n       raytrace brdf normalization | albedo "
-    "[OPTION...]\nThe shading functions on tables: their "
-    "values, "
-    "and those against known ones.";
+    "[OPTION...]\n       raytrace brdf plot [OPTION...] > plot.svg; see raytrace brdf plot --help\nThe shading functions on tables: their "
+    "values, and those against known ones.";
 const char* const brdf_footer =
     R"(eval appends a column got_X of 17 digits for each value X of the table; comment
 lines (#) and the cells of a row stay as they are, value columns may be missing.
@@ -36,6 +35,17 @@ tolerance, and every row beyond it. A file's name says which table it is.
 Tables: contract general_r seed0_effectsbrowser seed2_gooch seed3_phong_lights
 seed4_lecture terms_D terms_F terms_G
 Exit status: 0, or 1 if a row is beyond its tolerance or a table has a mistake.)";
+const char* const brdf_plot_usage =
+    "Usage: raytrace brdf plot [OPTION...] > plot.svg\nThe lobe of the chosen terms as the viewer sees it, and curves of D, G and F.";
+const char* const brdf_plot_footer =
+    R"(The terms: --preset --material --shading --D --G --F, as in help shading; so are
+the numbers --eta --k --f0 (one or R,G,B) --exponent --dw and the variants
+--fresnel-arg nv --half nv --raw on --norm ct1982|ct4m2 --denominator clamped
+--blinn-power inverse-roughness --units physical --clamp after --phong-gate off.
+
+Left, a polar plot of n.l rs (rs with --raw on) for light in the plane of view,
+each curve divided by its maximum, which the legend tells. Right, D over the
+half angle, G over the angle of the light, F over the angle of incidence.)";
 
 namespace {
 

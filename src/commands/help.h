@@ -15,6 +15,8 @@ extern const char* const compare_usage;
 extern const char* const compare_footer;
 extern const char* const brdf_usage;
 extern const char* const brdf_footer;
+extern const char* const brdf_plot_usage;
+extern const char* const brdf_plot_footer;
 
 /// What `raytrace help TOPIC` can be asked for.
 std::vector<std::string> help_topics();

@@ -207,8 +207,9 @@ TEST_F(Brdf, TablesHaveLimits) {
 
 TEST_F(Brdf, WrongWordsSayWhatIsExpected) {
     const std::string see = "; see raytrace brdf --help\n";
-    EXPECT_EQ(run({"brdf"}).err, "raytrace: brdf: expected 'eval', 'check', 'normalization' or 'albedo'" + see);
-    EXPECT_EQ(run({"brdf", "evil"}).err, "raytrace: brdf: expected 'eval', 'check', 'normalization' or 'albedo' instead of 'evil'" + see);
+    EXPECT_EQ(run({"brdf"}).err, "raytrace: brdf: expected 'eval', 'check', 'normalization', 'albedo' or 'plot'" + see);
+    EXPECT_EQ(run({"brdf", "evil"}).err,
+              "raytrace: brdf: expected 'eval', 'check', 'normalization', 'albedo' or 'plot' instead of 'evil'" + see);
     EXPECT_EQ(run({"brdf", "eval"}).err, "raytrace: brdf eval: expected one table's name" + see);
     EXPECT_EQ(run({"brdf", "check"}).err, "raytrace: brdf check: expected a file" + see);
     EXPECT_EQ(run({"brdf"}).status, 1);

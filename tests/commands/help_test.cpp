@@ -32,6 +32,12 @@ TEST(Help, EveryCommandFitsAScreen) {
     }
 }
 
+TEST(Help, ThePlotsHelpFitsAScreen) {
+    const test::Outcome outcome = test::run({"brdf", "plot", "--help"});
+    EXPECT_EQ(outcome.status, 0);
+    expect_fits("brdf plot", outcome.out);
+}
+
 TEST(Help, EveryTopicFitsAScreen) {
     for (const std::string& topic : help_topics()) {
         const test::Outcome outcome = test::run({"help", topic});
