@@ -84,5 +84,15 @@ TEST_F(GoldenTerms, F) {
     });
 }
 
+TEST(Fresnel, the_modulus_keeps_its_digits_where_squares_leave_the_range) {
+    for (const double size : {1e-320, 1e-300, 1e-160, 1e-139, 1e-10, 1.0, 1e100, 1e149, 1e151, 1e200, 1e300})
+        for (const double share : {0.0, 1e-200, 1e-9, 0.3, 1.0}) {
+            const double want = std::hypot(size, size * share);
+            EXPECT_NEAR(modulus(size, -size * share), want, 2.0 * (std::nextafter(want, HUGE_VAL) - want)) << size << ' ' << share;
+            EXPECT_EQ(modulus(size * share, size), modulus(size, size * share));
+        }
+    EXPECT_EQ(modulus(0.0, 0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace rt
