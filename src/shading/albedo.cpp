@@ -32,6 +32,10 @@ AlbedoTable::Node AlbedoTable::node(const MicrofacetTerms& terms, const Interfac
         const double density = D_ggx(g.cos2_h, g.sin2_h, alpha) / (2.0 * (n_dot_v + root));  // of l, per solid angle
         const double share = microfacet_lobe(terms, g, alpha) / density;
         for (int channel = 0; channel < 3; ++channel) {
+            if (channel > 0 && channels[channel] == channels[0]) {
+                sum.tinted[channel] = sum.tinted[0], sum.untinted[channel] = sum.untinted[0];
+                continue;
+            }
             Interface x = channels[channel];
             sum.tinted[channel] += share * F(terms.F, x, g.v_dot_h);
             x.f0 = 0.0;

@@ -67,6 +67,9 @@ inline void halve_normal_and_view(const Vec3& n, const Vec3& v, HalfGeometry& g)
     g.v_dot_h = std::min(1.0, 0.5 * std::sqrt(g.s_dot_s));
 }
 
+/// Exponents end here, so that none is infinite and times a logarithm of 0 no number.
+inline constexpr double largest_exponent = 1e300;
+
 /// cos^exponent of an angle given by its cosine and the square of its sine, of vectors of any length: 0 for cosines that are not positive,
 /// whatever the exponent. The logarithm comes from the tangent, so that large exponents do not amplify the rounding of the cosine.
 inline double cosine_power(double cos, double sin2, double exponent) {

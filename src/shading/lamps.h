@@ -17,15 +17,19 @@ struct AttenuationLaw {
     static constexpr double infinite = 1e300;
 };
 
+/// No law lets a lamp shine brighter than this times its colour, however near it is.
+inline constexpr double brightest = 1e200;
+
+/// Factor on the light of a lamp at that distance; a lamp at the very point has no direction and lights nothing. Finite.
 inline double attenuation(const AttenuationLaw& law, double distance) {
-    if (!(distance <= law.range)) return 0.0;
+    if (!(distance > 0.0 && distance <= law.range)) return 0.0;
     switch (law.kind) {
         case Attenuation::none:
             return 1.0;
         case Attenuation::one_d_d2:
             return 1.0 / (1.0 + distance + distance * distance);
         case Attenuation::polynomial:
-            return 1.0 / (law.constant + distance * (law.linear + distance * law.quadratic));
+            return std::min(1.0 / (law.constant + distance * (law.linear + distance * law.quadratic)), brightest);
         case Attenuation::inverse_square:
             return 1.0 / sqr(std::max(distance, law.least_distance));
     }

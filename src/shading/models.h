@@ -69,7 +69,8 @@ inline double phong(const Vec3& n, const Vec3& l, const Vec3& v, double p, bool 
 }
 
 /// max(r.v^p, 0) as a text prints it: an even exponent lights the back, and where there is no power there is no light.
-inline double phong_clamped_after(const Vec3& n, const Vec3& l, const Vec3& v, double p) {
+inline double phong_clamped_after(const Vec3& n, const Vec3& l, const Vec3& v, double p, bool gated = true) {
+    if (gated && !(dot(n, l) > 0.0)) return 0.0;
     return power_clamped_after(dot(2.0 * dot(n, l) * n - l, v), p);
 }
 

@@ -17,7 +17,7 @@ Rgb highlight_by_switches(const SurfaceModel& model, const ViewedPoint& at, cons
         case SurfaceModel::Specular::none:
             return Rgb(0.0);
         case SurfaceModel::Specular::phong:
-            return Rgb(model.clamp_after ? phong_clamped_after(at.n, l, at.v, model.exponent)
+            return Rgb(model.clamp_after ? phong_clamped_after(at.n, l, at.v, model.exponent, model.phong_gate)
                                          : phong(at.n, l, at.v, model.exponent, model.phong_gate));
         case SurfaceModel::Specular::blinn_phong: {
             HalfGeometry g;

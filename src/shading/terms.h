@@ -255,8 +255,8 @@ struct OrenNayar {
     OrenNayar() = default;
     explicit OrenNayar(double sigma) {
         const double s2 = sigma * sigma;
-        A = 1.0 - 0.5 * s2 / (s2 + 0.33);
-        B = 0.45 * s2 / (s2 + 0.09);
+        A = 1.0 - 0.5 / (1.0 + 0.33 / s2);  // = 1 - s2 / 2 / (s2 + 0.33), for s2 of 0 and infinity, too
+        B = 0.45 / (1.0 + 0.09 / s2);
     }
     double operator()(double n_dot_l, double n_dot_v, double l_dot_v) const {
         return A + B * std::max(0.0, l_dot_v - n_dot_l * n_dot_v) / std::max(n_dot_l, n_dot_v);

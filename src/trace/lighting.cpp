@@ -6,6 +6,13 @@
 namespace rt {
 namespace {
 
+bool has_highlight(const SurfaceModel& model) { return model.s != 0.0 && model.specular != SurfaceModel::Specular::none; }
+
+/// Whether the highlight does not ask on which side the lamp is.
+bool is_ungated(const SurfaceModel& model) {
+    return has_highlight(model) && model.specular == SurfaceModel::Specular::phong && !model.phong_gate;
+}
+
 bool is_dark(const Rgb& light) { return std::fabs(light.r) < 1e-10 && std::fabs(light.g) < 1e-10 && std::fabs(light.b) < 1e-10; }
 
 }  // namespace
@@ -13,7 +20,7 @@ bool is_dark(const Rgb& light) { return std::fabs(light.r) < 1e-10 && std::fabs(
 Lighting::Lighting(const World& world, const TraceOptions& options, const DistanceRules& rules)
     : world_(world),
       general_(options.shading == ShadingModel::general && world.features.catalogue),
-      facing_(general_ ? least_cosine : facing_cosine),
+      facing_(options.shading == ShadingModel::general ? least_cosine : facing_cosine),
       cast_shadows_(options.quality.shadows),
       shadows_(world, rules, options) {
     for (const Light& light : world.lights) sources_.emplace_back(light, options.lamps);
@@ -25,16 +32,16 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
     bool inclined = false, sine = false;
     for (const ActiveLayer& layer : layers) {
         const Finish& finish = layer.finish->finish;
-        view.any_diffuse |= finish.diffuse > 0.0 && layer.opacity != 0.0;
-        view.back_diffuse |= finish.diffuse_back > 0.0;
-        view.any_highlight |= finish.phong > 0.0 || finish.specular > 0.0;
-        if (!general_) continue;
         const SurfaceModel& model = layer.finish->model;
-        view.any_highlight |= model.s != 0.0;
+        const bool takes_diffuse = layer.opacity != 0.0 && (!general_ || model.diffuse_share != 0.0);
+        view.any_diffuse |= finish.diffuse > 0.0 && takes_diffuse;
+        view.back_diffuse |= finish.diffuse_back > 0.0 && takes_diffuse;
+        view.any_highlight |= finish.phong > 0.0 || (general_ ? has_highlight(model) : finish.specular > 0.0);
+        if (!general_) continue;
         view.unshadowed |= model.diffuse == Diffuse::gooch || model.ambient_per_light;
-        view.ungated |= !model.phong_gate;
-        sine |= model.s != 0.0 && model.sine_of_view;
-        inclined |= model.s != 0.0 || model.diffuse == Diffuse::oren_nayar;
+        view.ungated |= is_ungated(model);
+        sine |= has_highlight(model) && model.sine_of_view;
+        inclined |= has_highlight(model) || model.diffuse == Diffuse::oren_nayar;
     }
     if (view.any_highlight) view.mirrored = reflect(at.direction, at.normal);
     if (inclined) view.seen = viewed_point(at.normal, -at.direction, sine);
@@ -108,8 +115,10 @@ void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& l
         double diffuse = std::fmax(0.0, front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
         if (general_) diffuse *= diffuse_factor(layer.finish->model, view.seen, l, cos);
         if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
-        const bool lit = front || (general_ && !layer.finish->model.phong_gate);
-        if (lit && !shadowless && view.any_highlight) result.specular += arriving * highlights(view, layer, l, n_dot_l);
+        if (shadowless || !view.any_highlight) continue;
+        if (front) result.specular += arriving * povray_highlights(view, layer, l, n_dot_l);
+        if (general_ && has_highlight(layer.finish->model) && (front || is_ungated(layer.finish->model)))
+            result.specular += arriving * catalogue_highlight(view, layer, l, n_dot_l);
     }
 }
 
@@ -128,13 +137,14 @@ void Lighting::add_unshadowed(const LightSource& source, const View& view, const
         }
         if (model.ambient_per_light) {
             const double left = model.attenuate_ambient ? source.attenuation(view.at.point, ray) : 1.0;
-            result.ambient += left * through * source.light().color * layer.color.rgb * layer.finish->finish.ambient;
+            result.ambient +=
+                left * through * source.light().color * layer.color.rgb * (layer.finish->finish.ambient * world_.ambient_light);
         }
     }
 }
 
-/// Factor on the light that arrives, for phong and specular together.
-Rgb Lighting::highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const {
+/// Factor on the light that arrives, for POV-Ray's phong and, without the general form, its specular together.
+Rgb Lighting::povray_highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const {
     const Finish& finish = layer.finish->finish;
     double lobes = 0.0;
     if (finish.phong > 0.0) lobes += finish.phong * phong_lobe(dot(view.mirrored, l), finish.phong_size);
@@ -145,14 +155,16 @@ Rgb Lighting::highlights(const View& view, const ActiveLayer& layer, const Vec3&
     }
     Rgb sum(lobes);
     if (lobes != 0.0 && finish.metallic > 0.0) sum *= metallic_tint(layer.color.rgb, finish.metallic, std::fabs(n_dot_l));
-    if (general_ && layer.finish->model.s != 0.0) sum += catalogue_highlight(view, layer, l);
     return sum;
 }
 
-Rgb Lighting::catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const {
+/// Factor on the light that arrives. Lobes without a Fresnel term are tinted as POV-Ray tints its own.
+Rgb Lighting::catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const {
     const SurfaceModel& model = layer.finish->model;
-    const Rgb tint = metallic_f0(layer.color.rgb, layer.finish->finish.metallic);
-    return model.s * highlight(model, view.seen, l, tint);
+    const double metallic = layer.finish->finish.metallic;
+    const Rgb lobe = model.s * highlight(model, view.seen, l, metallic_f0(layer.color.rgb, metallic));
+    const bool tinted = metallic > 0.0 && model.specular != SurfaceModel::Specular::microfacet;
+    return tinted ? lobe * metallic_tint(layer.color.rgb, metallic, std::fabs(n_dot_l)) : lobe;
 }
 
 }  // namespace rt

@@ -56,8 +56,8 @@ private:
     void one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result);
     void area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const;
     void add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const;
-    Rgb highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
-    Rgb catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l) const;
+    Rgb povray_highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
+    Rgb catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
     void add_unshadowed(const LightSource& source, const View& view, const LightRay& ray, double n_dot_l, LocalLight& result) const;
 
     const World& world_;

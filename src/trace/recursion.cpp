@@ -204,8 +204,8 @@ Rgb Recursion::local_light(const Surface& surface) {
     LocalLight light;
     for (const ActiveLayer& layer : layers) {
         const Finish& finish = layer.finish->finish;
-        if (lighting_.ambient_per_light(*layer.finish)) continue;
-        light.ambient += layer.above * layer.color.rgb * layer.opacity * (finish.ambient * world_.ambient_light + finish.emission);
+        const Rgb ambient = lighting_.ambient_per_light(*layer.finish) ? Rgb(0.0) : finish.ambient * world_.ambient_light;
+        light.ambient += layer.above * layer.color.rgb * layer.opacity * (ambient + finish.emission);
     }
     RayNode* record = node(surface.node);
     lighting_.direct(surface.at, layers, inside(), light, record);

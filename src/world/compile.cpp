@@ -40,16 +40,17 @@ void require(const Material& material, const CompiledInterior& interior, Feature
     features.fades |= interior.fade_power > 0.0 || interior.fade_distance != 0.0;
 }
 
-/// Whether the general form differs from POV-Ray's without a highlight.
-bool needs_catalogue(const SurfaceModel& model) {
-    return model.s > 0.0 || model.diffuse != Diffuse::lambert || model.ambient_per_light || model.lecture;
+/// Whether the general form differs from POV-Ray's own: its highlight is another one, or there is none where POV-Ray would have one.
+bool needs_catalogue(const SurfaceFinish& surface) {
+    const SurfaceModel& model = surface.model;
+    return model.s > 0.0 || surface.finish.specular > 0.0 || model.diffuse != Diffuse::lambert || model.ambient_per_light || model.lecture;
 }
 
 void require(const std::vector<LayerNode>& layers, Features& features) {
     features.layers |= layers.size() > 1;
     for (const LayerNode& layer : layers) {
         features.patterns |= layer.checker || layer.pigment.size() > 1;
-        features.catalogue |= !layer.checker && needs_catalogue(layer.finish.model);
+        features.catalogue |= !layer.checker && needs_catalogue(layer.finish);
         require(layer.cell[0], features);
         require(layer.cell[1], features);
     }

@@ -135,23 +135,29 @@ SurfaceFinish MaterialTable::make_finish(const Finish& finish, double ior, const
     surface.finish = finish;
     const double roughness = finish.roughness.value_or(0.05);
     surface.specular_exponent = roughness == 0.0 ? 0.0 : 1.0 / roughness;
-    surface.model = fill(options_.choose ? options_.choose(finish) : ModelChoice{}, finish, ior, options_.alpha);
+    const ModelChoice choice = options_.choose ? options_.choose(finish) : ModelChoice{};
+    surface.model = fill(choice, finish, ior, options_.alpha);
     choose_mirror(surface, span);
-    if (surface.model.lecture)
-        surface.finish.diffuse = surface.finish.diffuse_back = lecture_diffuse(grey(finish.ambient), surface.model.s);
-    if (surface.model.alpha > 1.0 && surface.model.s > 0.0 && options_.general_shading && !warned_alpha_) {
+    if (surface.model.lecture) surface.finish.diffuse = lecture_diffuse(grey(finish.ambient), surface.model.s);
+    if (options_.general_shading) warn_of_range(surface, choice.s.has_value(), span);
+    return surface;
+}
+
+void MaterialTable::warn_of_range(const SurfaceFinish& surface, bool share_stated, const Span& span) {
+    const bool microfacet = surface.model.specular == SurfaceModel::Specular::microfacet;
+    if (microfacet && surface.model.alpha > 1.0 && surface.model.s > 0.0 && !warned_alpha_) {
         warned_alpha_ = true;
         warn_(scene_.sources.describe(
             span, "Warning",
             fmt::format("The microfacet alpha is {:.3g}, wider than 1, here and maybe in further finishes.", surface.model.alpha)));
     }
-    if ((finish.specular < 0.0 || finish.specular > 1.0) && options_.general_shading && !warned_specular_) {
+    const double specular = surface.finish.specular;
+    if (microfacet && surface.model.shares && !share_stated && (specular < 0.0 || specular > 1.0) && !warned_specular_) {
         warned_specular_ = true;
         warn_(scene_.sources.describe(
             span, "Warning",
             "'specular' is used as the share of light that the microfacet term takes; clamped to 0..1 here and in all further finishes."));
     }
-    return surface;
 }
 
 LayerNode MaterialTable::make_layer(const Texture& texture, double ior, const Span& span) {

@@ -33,6 +33,7 @@ private:
     std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, const Span& span);
     LayerNode make_layer(const Texture& texture, double ior, const Span& span);
     SurfaceFinish make_finish(const Finish& finish, double ior, const Span& span);
+    void warn_of_range(const SurfaceFinish& surface, bool share_stated, const Span& span);
     void choose_mirror(SurfaceFinish& surface, const Span& span);
 
     /// A table and what it was made from: finishes with equal lobes share it.

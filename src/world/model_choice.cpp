@@ -21,6 +21,14 @@ double mapped_alpha(const std::optional<double>& roughness, AlphaMapping mapping
     return r;
 }
 
+/// The exponent whose highlight is as wide as the microfacet lobe: 2 / roughness^2 - 2, roughness^2 being the alpha where one is stated.
+/// A finish that states neither has its phong_size.
+double exponent_of(const ModelChoice& choice, const Finish& finish) {
+    if (!choice.alpha && !finish.roughness) return finish.phong_size;
+    const double width = choice.alpha ? *choice.alpha : sqr(*finish.roughness);
+    return std::fmin(std::fmax(0.0, 2.0 / width - 2.0), largest_exponent);
+}
+
 /// Stated indices win over a stated reflectance, and that over the object's index.
 Interface interface_for(const ModelChoice& choice, double ior, int channel) {
     if (choice.eta || choice.k) return interface_of(choice.eta ? (*choice.eta)[channel] : ior, choice.k ? (*choice.k)[channel] : 0.0);
@@ -32,10 +40,10 @@ Interface interface_for(const ModelChoice& choice, double ior, int channel) {
 
 SurfaceModel fill(const ModelChoice& choice, const Finish& finish, double ior, AlphaMapping mapping) {
     SurfaceModel model = choice.model;
-    model.s = choice.s.value_or(std::fmin(std::fmax(finish.specular, 0.0), 1.0));
+    // Where the diffuse term has what the highlight leaves, it cannot leave less than nothing.
+    model.s = choice.s.value_or(std::fmin(std::fmax(finish.specular, 0.0), model.shares ? 1.0 : largest_lobe));
     model.alpha = std::fmax(choice.alpha_floor, choice.alpha.value_or(mapped_alpha(finish.roughness, choice.mapping.value_or(mapping))));
-    // Where no exponent is stated, the one whose highlight is as wide: 2 / roughness^2 - 2 with alpha = roughness^2.
-    model.exponent = choice.exponent.value_or(finish.roughness ? std::fmax(0.0, 2.0 / model.alpha - 2.0) : finish.phong_size);
+    model.exponent = choice.exponent.value_or(exponent_of(choice, finish));
     model.terms.factor = choice.norm * choice.units * choice.dw;
     model.env_dw = choice.dw;
     for (int channel = 0; channel < 3; ++channel) model.interface[channel] = interface_for(choice, ior, channel);

@@ -26,8 +26,8 @@ struct ModelChoice {
     double norm = 1.0, units = 1.0, dw = 1.0;  ///< factors on the microfacet lobe: of a misprint, of the units, of the lamps' solid angle
 };
 
-/// The model with the finish's numbers: s from `specular`, clamped to 0..1; alpha and the exponent from `roughness`; the interface from the
-/// index of refraction.
+/// The model with the finish's numbers: s from `specular`, 0 or more and at most 1 where the diffuse term has the rest; alpha and the
+/// exponent from `roughness`; the interface from the index of refraction.
 SurfaceModel fill(const ModelChoice& choice, const Finish& finish, double ior, AlphaMapping mapping);
 
 }  // namespace rt

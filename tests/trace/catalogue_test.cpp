@@ -1,4 +1,7 @@
 // Models of the shading catalogue as they come out of the tracer: one point of a floor, against the formulas as their texts print them.
+#include <functional>
+
+#include "shading/povray_finish.h"
 #include "shading/surface_model.h"
 #include "tests/trace/tracer_scene.h"
 
@@ -18,11 +21,15 @@ struct Case {
     LampRules rules{};
     std::optional<Vec3> spot_at{};  ///< the lamps are spotlights
     double tightness = 10.0;
+    std::function<void(Finish&)> change = [](Finish&) {};
+    Rgb global_ambient{1.0};
+    std::uint64_t mutable shadow_rays = 0;  ///< of the last call
 
     Rgb traced(const ModelChoice& choice) const {
         Finish finish = plain(ambient, diffuse);
         finish.specular = specular;
         finish.roughness = roughness;
+        change(finish);
         std::vector<Light> lights;
         for (const Vec3& lamp : lamps) {
             lights.push_back(point_light(lamp));
@@ -31,14 +38,18 @@ struct Case {
             lights.back().point_at = *spot_at;
             lights.back().tightness = tightness;
         }
-        const Scene scene = scene_with({object(floor_plane(), texture(color(albedo), finish))}, lights);
+        Scene scene = scene_with({object(floor_plane(), texture(color(albedo), finish))}, lights);
+        scene.settings.ambient_light = global_ambient;
         CompileOptions options;
         options.choose = [&](const Finish&) { return choice; };
         const World world = compile(scene, options, [](std::string_view) {});
         TraceOptions trace;
         trace.distances = Distances::povray;
         trace.lamps = rules;
-        return Tracer(world, trace).camera_ray({v, unit(-v)}).rgb;
+        Tracer tracer(world, trace);
+        const Rgb result = tracer.camera_ray({v, unit(-v)}).rgb;
+        shadow_rays = tracer.counts().shadow;
+        return result;
     }
 
     // The angles as the texts have them.
@@ -223,6 +234,121 @@ TEST(Catalogue, ambient_light_from_every_lamp) {
     const Rgb once = c.traced(choice);
     choice.model.ambient_per_light = true;
     EXPECT_RGB_NEAR(c.traced(choice), once + albedo * ambient, 1e-12);
+    // Emission is no ambient light, and the scene's own ambient light tints that of the lamps.
+    c.change = [](Finish& finish) { finish.emission = Rgb(0.25); };
+    c.global_ambient = Rgb(0.0, 0.5, 2.0);
+    EXPECT_RGB_NEAR(c.traced(choice), once + albedo * (2.0 * c.global_ambient * ambient - ambient + 0.25), 1e-12);
+}
+
+/// A share of 0 takes POV-Ray's own highlight away as well, whatever else is in the scene.
+TEST(Catalogue, no_highlight_where_the_model_has_none) {
+    const Case c;
+    const Rgb base = albedo * ambient + diffuse * c.nl() * albedo;
+    ModelChoice choice;
+    choice.s = 0.0;
+    EXPECT_RGB_NEAR(c.traced(choice), base, 1e-12);
+    choice = with(SurfaceModel::Specular::none);
+    choice.s = 0.0;
+    EXPECT_RGB_NEAR(c.traced(choice), base, 1e-12);
+}
+
+TEST(Catalogue, only_shares_end_at_one) {
+    Case c;
+    c.change = [](Finish& finish) { finish.specular = 3.0; };
+    ModelChoice choice = with(SurfaceModel::Specular::blinn_phong);
+    choice.exponent = 12.0;
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient + diffuse * c.nl() * albedo + Rgb(3.0 * std::pow(c.nh(), 12.0)), 1e-12);
+    choice = {};
+    const Rgb all = c.traced(choice);
+    choice.s = 1.0;
+    EXPECT_EQ(all, c.traced(choice));
+}
+
+TEST(Catalogue, the_lecture_lights_no_surface_from_behind) {
+    Case c;
+    c.lamps = {{-2.0, -5.0, 1.5}};
+    ModelChoice choice = with(SurfaceModel::Specular::microfacet);
+    choice.model.lecture = true;
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient, 1e-15);
+}
+
+/// 2 / alpha - 2 with an infinite width or none: the highlight is all of s in the mirror direction, or everywhere.
+TEST(Catalogue, exponents_of_extreme_widths) {
+    Case c;
+    c.lamps = {{-1.2, 2.0, 0.7}};
+    ASSERT_NEAR(c.nh(), 1.0, 1e-15);
+    const Rgb base = albedo * ambient + diffuse * c.nl() * albedo;
+    for (const auto kind : {SurfaceModel::Specular::phong, SurfaceModel::Specular::blinn_phong}) {
+        ModelChoice choice = with(kind);
+        choice.alpha = 1e6;
+        EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(specular), 1e-12);
+        choice.alpha.reset();
+        c.change = [](Finish& finish) { finish.roughness = 0.0; };
+        const Rgb narrow = c.traced(choice) - base;
+        EXPECT_TRUE(narrow.r >= -1e-12 && narrow.r <= specular + 1e-12) << narrow.r;
+        choice.alpha = 0.1;  // 18
+        c.v = {1.2, 1.0, -0.7};
+        const double cos = kind == SurfaceModel::Specular::phong ? dot(2.0 * c.nl() * c.n() - c.l(), c.eye()) : c.nh();
+        EXPECT_RGB_NEAR(c.traced(choice), base + Rgb(specular * std::pow(cos, 18.0)), 1e-12) << "a stated alpha, not the roughness";
+        c = Case{.lamps = {{-1.2, 2.0, 0.7}}};
+    }
+}
+
+TEST(Catalogue, phong_lobes_are_tinted_as_povray_tints_its_own) {
+    Case c;
+    ModelChoice choice = with(SurfaceModel::Specular::blinn_phong);
+    const Rgb base = albedo * ambient + diffuse * c.nl() * albedo, white = c.traced(choice) - base;
+    c.change = [](Finish& finish) { finish.metallic = 1.0; };
+    const Rgb tinted = c.traced(choice) - base;
+    EXPECT_RGB_NEAR(tinted, white * metallic_tint(albedo, 1.0, c.nl()), 1e-12);
+    EXPECT_LT(tinted.b, 0.9 * tinted.r);
+}
+
+TEST(Catalogue, the_gate_of_phong_holds_for_the_power_as_printed_and_is_not_povrays) {
+    Case c;
+    c.lamps = {{-3.0, -0.2, 2.0}};
+    ModelChoice choice = with(SurfaceModel::Specular::phong);
+    choice.exponent = 4.0;
+    choice.model.clamp_after = true;
+    EXPECT_RGB_NEAR(c.traced(choice), albedo * ambient, 1e-15);
+    choice.model.clamp_after = false;
+    choice.model.phong_gate = false;
+    const Rgb ungated = c.traced(choice);
+    EXPECT_GT(ungated.r, albedo.r * ambient.r);
+    c.change = [](Finish& finish) { finish.phong = 0.8; };
+    EXPECT_EQ(c.traced(choice), ungated) << "POV-Ray's own phong stays on its side";
+}
+
+TEST(Catalogue, no_shadow_rays_for_light_that_has_no_term) {
+    Case c;
+    ModelChoice choice = with(SurfaceModel::Specular::none);
+    c.traced(choice);
+    EXPECT_EQ(c.shadow_rays, 1u);
+    for (const Diffuse kind : {Diffuse::none, Diffuse::gooch}) {
+        choice.model.diffuse = kind;
+        c.traced(choice);
+        EXPECT_EQ(c.shadow_rays, 0u);
+    }
+    choice = {};
+    choice.model.diffuse = Diffuse::none;
+    choice.s = 0.0;
+    c.traced(choice);
+    EXPECT_EQ(c.shadow_rays, 0u);
+}
+
+TEST(Catalogue, a_lamp_at_the_point_or_a_wild_sigma_is_no_number_lost) {
+    Case c;
+    for (const double distance : {0.0, 5e-324, 1e-200}) {
+        const double factor = attenuation({.kind = Attenuation::polynomial, .constant = 0.0, .linear = 0.0}, distance);
+        EXPECT_TRUE(factor >= 0.0 && factor <= brightest) << distance;
+    }
+    EXPECT_EQ(attenuation({.kind = Attenuation::one_d_d2}, 0.0), 0.0);
+    ModelChoice choice = with(SurfaceModel::Specular::none);
+    choice.model.diffuse = Diffuse::oren_nayar;
+    choice.model.oren_nayar = OrenNayar(1e200);
+    const Rgb wild = c.traced(choice);
+    choice.model.oren_nayar = OrenNayar(1e9);
+    EXPECT_RGB_NEAR(wild, c.traced(choice), 1e-12);
 }
 
 }  // namespace
