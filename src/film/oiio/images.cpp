@@ -1,16 +1,22 @@
 // The module: the only code that knows OpenImageIO. No exception leaves it.
+#include <OpenImageIO/half.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "film/oiio/interface.h"
 
 namespace {
 
 thread_local std::string last_error;
+
+/// One picture at a time in the caller's thread: a pool would cost more than it saves, and outlive the picture. Said of each picture,
+/// because OpenImageIO's setting for all of them starts the pool before it ends it.
+constexpr int in_caller_thread = 1;
 
 const char* complain(const std::string& text) {
     last_error = text.empty() ? "unknown error" : text;
@@ -56,11 +62,21 @@ OIIO::ImageSpec spec_of(const RaytracePicture& picture) {
     return spec;
 }
 
+/// The same values as the file has them, put into `halves`: where OpenImageIO converts them it starts its threads.
+const half* as_halves(const RaytracePicture& picture, std::vector<half>& halves) {
+    const auto* values = static_cast<const float*>(picture.data);
+    halves.assign(values, values + static_cast<std::size_t>(picture.width) * picture.height * picture.channels);
+    return halves.data();
+}
+
 const char* write(const char* path, const char* format, const RaytracePicture* picture) try {
     auto output = OIIO::ImageOutput::create(format);
     if (!output) return complain(OIIO::geterror());
-    const OIIO::TypeDesc given = picture->sample == raytrace_half ? OIIO::TypeDesc::FLOAT : type_of(picture->sample);
-    if (!output->open(path, spec_of(*picture)) || !output->write_image(given, picture->data)) return complain(output->geterror());
+    output->threads(in_caller_thread);
+    std::vector<half> halves;
+    const void* data = picture->data;
+    if (picture->sample == raytrace_half) data = as_halves(*picture, halves);
+    if (!output->open(path, spec_of(*picture)) || !output->write_image(type_of(picture->sample), data)) return complain(output->geterror());
     if (!output->close()) return complain(output->geterror());
     return nullptr;
 } catch (const std::exception& error) {
@@ -72,6 +88,7 @@ const char* read(const char* path, const RaytraceSink* sink) try {
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     auto input = OIIO::ImageInput::open(path, &wishes);
     if (!input) return complain(OIIO::geterror());
+    input->threads(in_caller_thread);
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.depth > 1) return complain("it is a volume, not a picture");
     const int channels = std::min(spec.nchannels, 4);
@@ -91,9 +108,7 @@ const char* read(const char* path, const RaytraceSink* sink) try {
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const RaytraceImages* raytrace_images() {
-    // One picture at a time in the caller's thread: a pool would cost more than it saves, and outlive the picture.
-    OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);
+    OIIO::attribute("exr_threads", -1);  // none of OpenEXR's own
     static const RaytraceImages functions{raytrace_images_version, write, read};
     return &functions;
 }
