@@ -2,6 +2,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "syntax/parser.h"
 
@@ -19,14 +20,17 @@ constexpr std::size_t bytes_a_level = 8 * 1024;
 constexpr std::size_t least = 100;  ///< a stack of 1 MB holds it in every build
 constexpr std::size_t most = 1000;
 
-/// Of the calling thread; of the main thread it is the limit that `ulimit -s` sets. Zero if it cannot be found out.
+/// What is left of the calling thread's stack (of the main thread's the limit that `ulimit -s` sets), without the thread-local memory that
+/// lies at its end. Zero if it cannot be found out.
 std::size_t stack_bytes() {
     pthread_attr_t attributes;
     if (pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
+    void* lowest = nullptr;
     std::size_t bytes = 0;
-    pthread_attr_getstacksize(&attributes, &bytes);
+    pthread_attr_getstack(&attributes, &lowest, &bytes);
     pthread_attr_destroy(&attributes);
-    return bytes;
+    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)), end = reinterpret_cast<std::uintptr_t>(lowest);
+    return here > end ? std::min<std::size_t>(here - end, bytes) : 0;
 }
 
 }  // namespace

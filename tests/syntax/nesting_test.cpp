@@ -13,6 +13,13 @@ std::string repeated(const std::string& part, int count) {
     return text;
 }
 
+/// The thread sanitizer keeps its own memory of a thread at the end of that thread's stack.
+#if defined(__SANITIZE_THREAD__)
+constexpr std::size_t sanitizer_bytes = 1 << 20;
+#else
+constexpr std::size_t sanitizer_bytes = 0;
+#endif
+
 struct Job {
     std::string scene, error;
     int limit = 0;
@@ -23,7 +30,7 @@ Job read_on_stack(std::size_t megabytes, const std::string& scene) {
     Job job{scene, "not run"};
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, megabytes << 20);
+    pthread_attr_setstacksize(&attributes, (megabytes << 20) + sanitizer_bytes);
     pthread_t thread;
     const auto run = [](void* argument) -> void* {
         Job& job = *static_cast<Job*>(argument);
