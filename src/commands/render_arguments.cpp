@@ -12,6 +12,7 @@
 #include "commands/names.h"
 #include "commands/povray_syntax.h"
 #include "commands/values.h"
+#include "syntax/words.h"
 
 namespace rt {
 
@@ -156,12 +157,22 @@ void define_shading(CommandLine& line, RenderJob& job) {
                [&](const std::string& v) { job.profile = value_of_name(profile_names, "profile", v); });
 }
 
+/// Whether a scene can refer to a declared value of that name.
+bool is_name(std::string_view name) {
+    constexpr std::string_view letters = "_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", digits = "0123456789";
+    const bool starts = !name.empty() && letters.find(name[0]) != letters.npos;
+    return starts && name.find_first_not_of(std::string(letters).append(digits)) == name.npos && find_word(name) == Word::none;
+}
+
 void define_scene(CommandLine& line, Draft& d) {
     RenderJob& job = d.job;
     line.values("-L,--library", "DIR", "search includes there too", [&](const std::string& v) { job.parse.library_paths.push_back(v); });
     line.values("--define", "NAME=VALUE", "declare a number or a string for the scene", [&](const std::string& v) {
         const std::size_t equals = v.find('=');
         if (equals == 0 || equals == std::string::npos) throw OptionError(fmt::format("define: expected NAME=VALUE, not '{}'", v));
+        if (!is_name(v.substr(0, equals)))
+            job.notes.push_back(
+                fmt::format("--define {}: no scene can read this; a name is letters, digits and _, and no reserved word", v));
         job.parse.declares.emplace_back(v.substr(0, equals), std::string(unquoted(std::string_view(v).substr(equals + 1))));
     });
     line.value("--language", "V", "", [&](const std::string& v) { job.parse.version = real_number("language version", v, 0.0, 99.0); });

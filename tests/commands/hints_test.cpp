@@ -1,4 +1,5 @@
 // What the program says to words that are almost right, and which of them it takes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "commands/output_name.h"
@@ -164,6 +165,21 @@ TEST(Suggestions, PreferTheNearestAndElseTheShortestWithThisBeginning) {
     EXPECT_EQ(nearest_word("--oveq", words), "--over");
     EXPECT_EQ(nearest_word("--o", words), "");
     EXPECT_EQ(nearest_word("--output-al", words), "--output-alpha");
+}
+
+/// POV-Ray takes such declarations, too, and they are as useless there.
+TEST(Hints, NamesThatNoSceneCanReadAreANote) {
+    const test::Workplace here;
+    here.write("a.pov", test::small_scene);
+    for (const char* name : {"3", "X Y", "camera", "x", "a-b"}) {
+        const test::Outcome outcome = test::run({"a.pov", "--size=4x3", "--define", std::string(name) + "=4"});
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_EQ(outcome.err, fmt::format("raytrace: note: --define {}=4: no scene can read this; a name is letters, digits and _, and no "
+                                           "reserved word\n",
+                                           name));
+    }
+    EXPECT_EQ(test::run({"a.pov", "--size=4x3", "--define", "_x9=4"}).err, "");
+    EXPECT_EQ(test::run({"a.pov", "--size=4x3", "--define", "X=4"}).err, "");
 }
 
 }  // namespace
