@@ -22,6 +22,7 @@ struct ParseOptions {
     double clock = 0.0;
     double version = 0.0;  ///< +MV; 0: not given
     Rotation rotation = Rotation::povray;
+    Finish default_finish;                              ///< until the scene states another by `#default`
     bool lenient = false;                               ///< known but unmodelled features are warnings instead of errors
     bool collect_unmodelled = false;                    ///< ... or only collected in Scene::unmodelled (for `requires`)
     std::size_t max_file_bytes = std::size_t{1} << 30;  ///< per file

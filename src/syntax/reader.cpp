@@ -30,7 +30,7 @@ void predeclare(Reader::State& state) {
 
 Reader::Reader(const ParseOptions& options, Scene& scene, const MessageSink& messages)
     : state_(std::make_unique<State>(*this, options, scene, messages)) {
-    state_->default_texture = std::vector<Texture>(1);
+    state_->default_texture = std::vector<Texture>{{PlainTexture{{}, options.default_finish}}};
     if (options.version > 0.0) {
         state_->version = options.version;
         state_->version_stated = true;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "shading/lamps.h"
+#include "trace/course_rules.h"
 
 namespace rt {
 
@@ -40,6 +41,7 @@ struct TraceOptions {
     Quality quality;
     LampRules lamps;
     std::shared_ptr<const Environment> environment;  ///< instead of the scene's background
+    std::optional<CourseRules> course;               ///< the course's rules instead of POV-Ray's: nothing above counts then
 };
 
 /// Lines drawn over the picture.

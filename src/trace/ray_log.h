@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "world/world.h"
@@ -42,6 +43,12 @@ struct RayNode {
 
     Rgb ambient{0.0}, diffuse{0.0}, specular{0.0}, reflection{0.0}, refraction{0.0}, background{0.0};
     Rgb radiance{0.0};
+
+    /// How the point's own light, its mirror and what lies behind it share `radiance`: said by the course's rules alone.
+    struct Shares {
+        double local = 1.0, reflection = 0.0, transmission = 0.0;
+    };
+    std::optional<Shares> shares;
 };
 
 struct RayLog {
