@@ -18,7 +18,9 @@ int run_brdf(const Words& words);
 int run_brdf_plot(const Words& words);
 int run_help(const Words& words);
 int run_version(const Words& words);
-/// The course's dialect; `command` is its first word.
+/// Whether `word` is one of the course's commands.
+bool is_course_command(const std::string& word);
+/// The course's dialect; `command` is its first word, one of those.
 int run_course(const std::string& command, const Words& words);
 
 }  // namespace rt

@@ -5,92 +5,135 @@
 #include <array>
 
 #include "commands/commands.h"
+#include "commands/course_arguments.h"
+#include "commands/course_boxes.h"
+#include "commands/course_text.h"
+#include "commands/encoding.h"
 #include "commands/help.h"
-#include "commands/render_arguments.h"
-#include "commands/scene_choices.h"
+#include "commands/job_steps.h"
+#include "commands/names.h"
 #include "commands/session.h"
-#include "commands/suggest.h"
 #include "commands/text.h"
-#include "core/source.h"
-#include "syntax/parser.h"
+#include "trace/camera.h"
+#include "trace/pixel_rays.h"
 
 namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> later_options{"-fresnel", "-altbrdf", "-beers", "-gi"};
-/// Ours that no course option resembles.
-constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
-constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};
-/// Rays after the camera's in the course's pictures.
-constexpr int further_rays = 6;
+/// The pixel's own place in the picture: rows are counted from the bottom on the command line, from the top here.
+int row_from_top(const CourseArguments& arguments) { return arguments.job.height - 1 - arguments.y; }
 
-bool is_one_of(const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
-
-/// Throws OptionError for an option that neither the course nor we have, or that contradicts the words around it.
-void check_option(const std::string& word) {
-    const std::string name = word.substr(0, word.find('='));
-    if (is_one_of(later_options, name) || name.starts_with("-gi_"))
-        throw OptionError(fmt::format("option '{}' is not available in this version", name));
-    const bool short_size = name.size() > 1 && (name[1] == 'W' || name[1] == 'H') && name.find_first_not_of("0123456789", 2) == name.npos;
-    if (short_size || is_one_of(size_options, name))
-        throw OptionError(fmt::format("'{}': the size stands behind the scene: raytrace render SCENE WIDTH HEIGHT", word));
-    if (word.starts_with('+')) {
-        const std::string ours = in_long_options(word);
-        throw OptionError(fmt::format("POV-Ray's switch '{}' does not go with the course's render{}{}", word,
-                                      ours.empty() ? "" : "; in our options it is ", ours));
-    }
-    const bool threads = name.size() > 2 && name.starts_with("-t") && name.find_first_not_of("0123456789", 2) == name.npos;
-    if (threads || name == "-ss" || is_one_of(short_options, name)) return;
-    std::vector<std::string> known = render_long_names();
-    if (is_one_of(known, name)) return;
-    known.insert(known.end(), {"-ss", "-fresnel", "-altbrdf", "-beers", "-gi", "-sds"});
-    throw OptionError(fmt::format("unknown option '{}'{}", name, did_you_mean(name, known)));
+Ray ray_of_centre(const CourseArguments& arguments, const CameraBasis& camera) {
+    return camera_ray(camera, arguments.x + 0.5, row_from_top(arguments) + 0.5, arguments.job.width, arguments.job.height);
 }
 
-/// The course's words as ours: FILE WIDTH HEIGHT and options in any order.
-Words render_words(const Words& words) {
-    Words options, positional;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string& word = words[i];
-        if (word == "--") {
-            positional.insert(positional.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
-            break;
-        }
-        const std::string name = word.substr(0, word.find('='));
-        if (name == "-sds") continue;  // a spatial data structure: there is always one
-        const bool option = word.size() > 1 && (word[0] == '-' || word[0] == '+');
-        if (option) check_option(word);
-        (option ? options : positional).push_back(word);
-        const bool separate = word == "-ss" || (option && render_option_takes_value(word));
-        if (separate && i + 1 < words.size()) options.push_back(words[++i]);
-    }
-    if (positional.size() != 3) throw OptionError("expected: raytrace render SCENE WIDTH HEIGHT [options]");
-    Words result{"--profile=csc473",         "--output=output.png",      "--quiet",
-                 "--input=" + positional[0], "--width=" + positional[1], "--height=" + positional[2]};
-    result.insert(result.end(), options.begin(), options.end());
-    return result;
+int render_course(CourseArguments arguments) { return run_session(std::move(arguments.job)); }
+
+/// Part one of the course: pigments without light.
+int raycast(CourseArguments arguments) {
+    if (!arguments.job.course) arguments.job.course.emplace();
+    arguments.job.course->show = CourseShow::pigment;
+    return run_session(std::move(arguments.job));
 }
 
-int course_render(const Words& words) {
-    std::string help;
-    std::optional<RenderJob> job = parse_render_arguments(render_words(words), help);
-    job->max_trace_level = 1 + further_rays;
-    return run_session(std::move(*job));
-}
-
-int sceneinfo(const Words& words) {
-    if (words.size() != 1) throw OptionError("expected: raytrace sceneinfo SCENE");
-    ParseOptions options;
-    options.rotation = Rotation::csc473;
-    options.library_paths = default_library_paths();
-    const Scene scene = parse_file(words[0], options, message_sink(true));
-    (void)choices_of(scene);  // a mistake in them is one here too
-    write_stdout(sceneinfo_text(scene));
+int sceneinfo(CourseArguments arguments) {
+    write_stdout(sceneinfo_text(read_scene(arguments.job, message_sink(true))));
     return 0;
 }
 
+int pixelray(CourseArguments arguments) {
+    const MessageSink silent = message_sink(true);
+    const Scene scene = read_scene(arguments.job, silent);
+    const CameraBasis camera = camera_basis(scene.camera, arguments.job.profile, scene.sources, silent);
+    write_stdout(pixelray_text({arguments.x, arguments.y, {}}, ray_of_centre(arguments, camera)));
+    return 0;
+}
+
+int firsthit(CourseArguments arguments) {
+    const MessageSink silent = message_sink(true);
+    const Scene scene = read_scene(arguments.job, silent);
+    const World world = build_world(arguments.job, scene, silent);
+    TraceOptions flat;
+    flat.course.emplace().show = CourseShow::pigment;
+    RayLog log;
+    Tracer(world, flat).camera_ray(ray_of_centre(arguments, world.camera), log);
+    write_stdout(firsthit_text({arguments.x, arguments.y, {}}, scene, log.nodes.front()));
+    return 0;
+}
+
+/// A pixel with its rays, and the scene they are told by.
+struct Traced {
+    Scene scene;
+    PixelName name;
+    PixelRays rays;
+};
+
+Traced trace(CourseArguments& arguments) {
+    const MessageSink silent = message_sink(true);
+    Traced traced;
+    traced.scene = read_scene(arguments.job, silent);
+    const World world = build_world(arguments.job, traced.scene, silent);
+    traced.rays = trace_pixel(world, render_options(arguments.job, traced.scene), arguments.x, row_from_top(arguments));
+    const Encoding encoding = encoding_of(arguments.job, traced.scene.settings.gamma);
+    const Pixel& p = traced.rays.pixel;
+    traced.name = {arguments.x, arguments.y, {quantise(p.r, encoding), quantise(p.g, encoding), quantise(p.b, encoding)}};
+    return traced;
+}
+
+std::string_view brdf_name(const RenderJob& job) {
+    if (!job.course) return name_of(shading_names, *job.shading);
+    return job.course->cook_torrance ? "Cook-Torrance" : "Blinn-Phong";
+}
+
+int pixelcolor(CourseArguments arguments) {
+    const Traced traced = trace(arguments);
+    // Of several samples the middle one stands for the pixel.
+    const RayNode& node = traced.rays.samples[traced.rays.samples.size() / 2].nodes.front();
+    write_stdout(pixelcolor_text(traced.name, traced.scene, node, brdf_name(arguments.job)));
+    return 0;
+}
+
+int printrays(CourseArguments arguments) {
+    const Traced traced = trace(arguments);
+    write_stdout(printrays_text(traced.name, traced.scene, traced.rays.samples));
+    return 0;
+}
+
+int pixeltrace(CourseArguments arguments) {
+    const Traced traced = trace(arguments);
+    write_stdout(pixeltrace_text(traced.name, traced.scene, traced.rays.samples));
+    return 0;
+}
+
+int printbvh(CourseArguments arguments) {
+    const MessageSink silent = message_sink(true);
+    const Scene scene = read_scene(arguments.job, silent);
+    write_stdout(printbvh_text(scene, build_world(arguments.job, scene, silent)));
+    return 0;
+}
+
+struct Command {
+    CourseUsage usage;
+    int (*run)(CourseArguments arguments);
+};
+
+constexpr bool size = true, pixel = true;
+constexpr std::array<Command, 9> commands{{{{"render", size, !pixel}, render_course},
+                                           {{"raycast", size, !pixel}, raycast},
+                                           {{"sceneinfo", !size, !pixel}, sceneinfo},
+                                           {{"pixelray", size, pixel}, pixelray},
+                                           {{"firsthit", size, pixel}, firsthit},
+                                           {{"pixelcolor", size, pixel}, pixelcolor},
+                                           {{"printrays", size, pixel}, printrays},
+                                           {{"pixeltrace", size, pixel}, pixeltrace},
+                                           {{"printbvh", !size, !pixel}, printbvh}}};
+
 }  // namespace
+
+bool is_course_command(const std::string& word) {
+    return std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.usage.command == word; });
+}
 
 int run_course(const std::string& command, const Words& words) {
     const bool help = std::any_of(words.begin(), words.end(), [](const std::string& w) { return w == "--help" || w == "-h"; });
@@ -98,9 +141,8 @@ int run_course(const std::string& command, const Words& words) {
         write_stdout(help_topic("course"));
         return 0;
     }
-    if (command == "render") return course_render(words);
-    if (command == "sceneinfo") return sceneinfo(words);
-    throw OptionError(fmt::format("'{}' is not available in this version", command));
+    const auto found = std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.usage.command == command; });
+    return found->run(parse_course_arguments(found->usage, words));
 }
 
 }  // namespace rt

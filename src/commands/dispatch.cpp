@@ -15,10 +15,10 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> course_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
-                                                          "pixelcolor", "printrays", "pixeltrace", "printbvh"};
 constexpr std::array<std::string_view, 5> later_commands{"grade", "versus", "trade", "explain", "merge"};
-constexpr std::array<std::string_view, 7> available_commands{"render", "sceneinfo", "requires", "compare", "brdf", "help", "version"};
+constexpr std::array<std::string_view, 14> available_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
+                                                              "pixelcolor", "printrays", "pixeltrace", "printbvh", "requires",
+                                                              "compare",    "brdf",      "help",       "version"};
 
 bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
 
@@ -37,7 +37,7 @@ void refuse_mistyped_command(const std::string& word) {
 int run_program(const Words& words) {
     const std::string first = words.empty() ? "" : words[0];
     const Words rest(words.begin() + (words.empty() ? 0 : 1), words.end());
-    if (is_one_of(course_commands, first)) return run_course(first, rest);
+    if (is_course_command(first)) return run_course(first, rest);
     if (first == "requires") return run_requires(rest);
     if (first == "compare") return run_compare(rest);
     if (first == "brdf") return run_brdf(rest);

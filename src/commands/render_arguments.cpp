@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "commands/command_line.h"
+#include "commands/course_scene.h"
 #include "commands/edge_choices.h"
 #include "commands/help.h"
 #include "commands/names.h"
@@ -194,7 +195,7 @@ void define_run(CommandLine& line, RenderJob& job) {
     line.value("--all-console", "ON", "", [&](const std::string& v) { job.quiet = !on_or_off("All_Console", v); });
     line.value("--seed", "N", "", [&](const std::string& v) {
         real_number("seed", v, 0.0, unbounded);
-        job.notes.emplace_back("--seed is reserved: nothing in this version is random");
+        job.notes.emplace_back("--seed has no effect: what is random follows from the pixel");
     });
 }
 
@@ -331,7 +332,7 @@ std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std:
     arguments.parse = std::move(draft.job.parse);
     arguments.parse.image_width = draft.job.width;
     arguments.parse.image_height = draft.job.height;
-    if (draft.job.profile == Profile::csc473) arguments.parse.rotation = Rotation::csc473;
+    if (draft.job.profile == Profile::csc473) read_as_course(arguments.parse);
     arguments.parse.collect_unmodelled = true;
     return arguments;
 }
@@ -355,7 +356,7 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     RenderJob& job = draft.job;
     job.parse.image_width = job.width;
     job.parse.image_height = job.height;
-    if (job.profile == Profile::csc473) job.parse.rotation = Rotation::csc473;
+    if (job.profile == Profile::csc473) read_as_course(job.parse);
     job.notes.insert(job.notes.end(), translation.notes.begin(), translation.notes.end());
     if (!translation.ignored.empty())
         job.notes.push_back(fmt::format("ignored, without a meaning here: {}", fmt::join(translation.ignored, " ")));

@@ -39,6 +39,7 @@ struct RenderJob {
     std::optional<Distances> distances;  ///< unset: povray under the shading of that name, else scaled
     std::optional<Precision> precision;
 
+    std::optional<CourseRules> course;      ///< under the course's profile, its own rules unless a shading is chosen
     std::vector<std::string> environment;   ///< one picture of all directions, or six of a cube; none: the scene's background
     std::vector<ModelOption> model;         ///< choices from the catalogue of shading, in order
     EdgeOptions edges;                      ///< lines over the picture; complete once the scene is read

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "commands/job_steps.h"
 #include "commands/render_arguments.h"
 #include "commands/requirements.h"
-#include "commands/session.h"
 #include "commands/text.h"
 #include "syntax/parser.h"
 

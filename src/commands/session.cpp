@@ -5,20 +5,16 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include "commands/encoding.h"
 #include "commands/interrupt.h"
-#include "commands/names.h"
+#include "commands/job_steps.h"
 #include "commands/progress.h"
-#include "commands/scene_choices.h"
 #include "commands/stats.h"
 #include "commands/surroundings.h"
 #include "commands/text.h"
-#include "commands/values.h"
 #include "film/image_file.h"
-#include "syntax/parser.h"
 
 namespace rt {
 
@@ -46,44 +42,6 @@ void check_memory(const RenderJob& job) {
     if (needed > installed)
         throw LimitError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB of memory; this machine has {:.1f} GB", job.width,
                                      job.height, needed * 1e-9, installed * 1e-9));
-}
-
-void fill_defaults(RenderJob& job) {
-    // Until the course's own shading exists its profile renders with POV-Ray's.
-    if (!job.shading) job.shading = job.profile == Profile::csc473 ? ShadingModel::povray : ShadingModel::general;
-    if (!job.distances) job.distances = *job.shading == ShadingModel::povray ? Distances::povray : Distances::scaled;
-    if (!job.precision) job.precision = CompileOptions{}.precision;
-}
-
-CompileOptions compile_options(const RenderJob& job, const Scene& scene) {
-    CompileOptions options;
-    options.profile = job.profile;
-    options.precision = *job.precision;
-    options.index = job.index;
-    options.threads = job.threads;
-    options.general_shading = *job.shading == ShadingModel::general;
-    if (options.general_shading) options.choose = [&](const Finish& finish) { return choice_for(scene, finish.options, job.model); };
-    return options;
-}
-
-RenderOptions render_options(const RenderJob& job, const Scene& scene) {
-    const Gamma& gamma = scene.settings.gamma;
-    RenderOptions options;
-    options.width = job.width;
-    options.height = job.height;
-    options.region = job.region;
-    options.threads = job.threads;
-    options.sampling = job.sampling;
-    options.alpha = job.output_alpha;
-    options.working_gamma = gamma.power;
-    options.working_srgb = gamma.kind == Gamma::Kind::srgb;
-    options.trace.shading = *job.shading;
-    options.trace.distances = *job.distances;
-    if (*job.shading == ShadingModel::general) options.trace.lamps = choice_for(scene, {}, job.model).lamps;
-    options.edges = job.edges;
-    options.trace.max_trace_level = job.max_trace_level;
-    if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);
-    return options;
 }
 
 /// Before the work: nobody waits for a picture that cannot be written, or not as it was asked for.
@@ -126,44 +84,22 @@ int write(const RenderResult& result, const RenderJob& job, const Scene& scene) 
 
 }  // namespace
 
-std::vector<std::string> default_library_paths() {
-    std::vector<std::string> paths;
-    if (const char* named = std::getenv("RAYTRACE_LIBRARY_PATH"))
-        for (const std::string& path : split(named, ':'))
-            if (!path.empty()) paths.push_back(path);
-    for (const char* installed : {"/usr/share/povray-3.7", "/usr/local/share/povray-3.7"}) {
-        std::error_code ignored;
-        if (std::filesystem::is_directory(installed, ignored)) paths.push_back(std::string(installed) + "/include");
-    }
-    return paths;
-}
-
-MessageSink message_sink(bool quiet) {
-    if (quiet) return [](std::string_view) {};
-    return [](std::string_view text) { write_stderr(fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n")); };
-}
-
 int run_session(RenderJob job) {
     const MessageSink messages = message_sink(job.quiet);
     for (const std::string& note : job.notes) messages("raytrace: note: " + note);
     check_memory(job);
     const std::shared_ptr<const Environment> surroundings = read_surroundings(job.environment);
-    for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
 
     Stats stats;
     Scene scene;
     World world;
     {
         const Timed timed(stats.phases.parse);
-        scene = parse_file(job.scene, job.parse, messages);
-        apply_scene_choices(scene, job);
-        fill_defaults(job);
-        if (*job.shading == ShadingModel::povray && !job.model.empty())
-            messages(fmt::format("raytrace: note: --{} has no effect: the shading is POV-Ray's", job.model.front().key));
+        scene = read_scene(job, messages);
     }
     {
         const Timed timed(stats.phases.build);
-        world = compile(scene, compile_options(job, scene), messages);
+        world = build_world(job, scene, messages);
     }
     check_output(job, messages);
     const StopOnSignal signals;  // until the picture is written, so that no half file stays

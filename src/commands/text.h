@@ -1,4 +1,4 @@
-// Every printed format that is about a scene or a picture, and the one way to standard output.
+// What a picture says about itself, and the one way to standard output.
 #pragma once
 
 #include <string>
@@ -15,9 +15,6 @@ std::string_view program_version();
 
 /// What a picture says about its making. Nothing in it depends on the machine, the time or the number of threads.
 ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene);
-
-/// The course's `sceneinfo`: camera, lights, objects; four decimals.
-std::string sceneinfo_text(const Scene& scene);
 
 /// Writes all of `text` to standard output; throws OutputError if it is closed or full.
 void write_stdout(std::string_view text);

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Gnu, Grammar,
                                          Line{{"a.pov", "--crop", "1,3,0,2"}, "a.pov region=1,3,0,2"},                        //
                                          Line{{"--", "-W64"}, "-W64.pov"},                                                    //
                                          Line{{"--", "+odd=name.pov"}, "+odd=name.pov"},                                      //
-                                         Line{{"a.pov", "--seed", "7"}, "a.pov (--seed is reserved: nothing in this version is random)"}));
+                                         Line{{"a.pov", "--seed", "7"}, "a.pov (--seed has no effect: what is random follows from the pixel)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Povray, Grammar,

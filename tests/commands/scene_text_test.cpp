@@ -1,6 +1,7 @@
 // What is printed about a scene: sceneinfo, requires, choices in comments, metadata.
 #include <gtest/gtest.h>
 
+#include "commands/course_text.h"
 #include "commands/progress.h"
 #include "commands/requirements.h"
 #include "commands/scene_choices.h"
