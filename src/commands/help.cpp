@@ -145,18 +145,24 @@ tiles in hand and leaves NAME.partial.png; a second one ends it all at once.
 )";
 
 constexpr const char* course_topic =
-    R"(The course's commands (right-handed, camera vectors as written, rotation z y x,
-bytes = round(255 c) without gamma):
+    R"(Commands of Cal Poly's CSC 473 and its own rules: right-handed, camera vectors
+as written, rotation z y x, Blinn-Phong, round(255 c); silent.
 
-raytrace render SCENE WIDTH HEIGHT [-ss=N]   writes output.png, prints nothing
-raytrace sceneinfo SCENE                     camera, lights and objects as text
+raytrace render SCENE WIDTH HEIGHT       writes output.png
+raytrace raycast SCENE WIDTH HEIGHT      pigments alone
+raytrace sceneinfo | printbvh SCENE      what it says; boxes halved in x, y, z
+raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
+  a pixel's ray, what it meets, its colour, all its rays as a list or a tree.
+  X and Y count from 0 at the bottom left; the numbers are the picture's.
 
-In this version 'render' shades with POV-Ray's finish model under the course's
-camera, not yet with the course's own Blinn-Phong and contributions; -fresnel,
--altbrdf, -beers and -gi are refused, -sds is what always happens. Our long
-options (--shading general, --stats ...) and -o -q -t -L are accepted. raycast,
-pixelray, firsthit, pixelcolor, printrays, pixeltrace and printbvh are not
-available yet.
+-ss=N     N x N rays a pixel           -fresnel  glass mirrors by Schlick's law
+-altbrdf  Cook-Torrance, GGX           -beers    glass fades with its thickness
+-sds      always so: an index          -normals  (normal + 1) / 2 as colours
+-gi       indirect light for ambient; -gi_samples=64,16 -gi_bounces=2
+
+Mirrored and transmitted rays begin 0.001 along themselves, shadow rays 0.001
+along the normal; six rays follow the camera's. Our long options and -o -q -t
+-L work too; with --shading povray or another, these commands tell of that.
 )";
 
 constexpr const char* exit_topic =

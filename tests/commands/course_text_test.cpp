@@ -1,0 +1,189 @@
+// What the course's commands print, from records made by hand.
+#include "commands/course_text.h"
+
+#include <gtest/gtest.h>
+
+namespace rt {
+namespace {
+
+TEST(CourseNumbers, HaveFourDecimals) {
+    EXPECT_EQ(number_text(1.0), "1.0000");
+    EXPECT_EQ(number_text(-2.34564), "-2.3456");
+    EXPECT_EQ(number_text(1234567.89012), "1234567.8901");
+}
+
+TEST(CourseNumbers, RoundHalvesAwayFromZeroWhateverTheirBits) {
+    EXPECT_EQ(number_text(0.24275), "0.2428");  // the nearest double is below
+    EXPECT_EQ(number_text(0.192 + 0.00075), "0.1928");
+    EXPECT_EQ(number_text(-0.24275), "-0.2428");
+    EXPECT_EQ(number_text(0.2427499), "0.2427");
+    EXPECT_EQ(number_text(14.244549999), "14.2445");
+}
+
+TEST(CourseNumbers, KeepTheSignOfZero) {
+    EXPECT_EQ(number_text(0.0), "0.0000");
+    EXPECT_EQ(number_text(-0.0), "-0.0000");
+    EXPECT_EQ(number_text(-0.00001), "-0.0000");
+    EXPECT_EQ(vector_text(Vec3(0, -1e-9, 2)), "{0.0000 -0.0000 2.0000}");
+}
+
+class CourseText : public testing::Test {
+protected:
+    CourseText() {
+        Object sphere, plane;
+        sphere.shape = Sphere{Vec3(0.0), 1.0};
+        sphere.transform = Transform::scale(Vec3(1, 2, 4)).then(Transform::translate(Vec3(1, 0, 0)));
+        plane.shape = Plane{};
+        plane.transform = Transform::translate(Vec3(0.0));
+        scene.objects = {sphere, plane};
+        RayNode camera = surface(0, {{0, 0, 8}, {0, 0, -1}}, 4.0);
+        camera.ambient = Rgb(0.1, 0.2, 0.3), camera.radiance = Rgb(0.6, 0.5, 0.4);
+        camera.reflection = Rgb(0.25), camera.refraction = Rgb(0.125);
+        camera.shares = RayNode::Shares{0.25, 0.25, 0.5};
+        camera.shadows = {{0, 0, Rgb(1.0), {}}, {1, 0, Rgb(0.0), {}}};
+        RayNode mirrored = surface(1, {{0, 0, 4}, {0, 1, 0}}, 2.0);
+        mirrored.parent = 0, mirrored.kind = RayNode::Kind::reflected, mirrored.shares.emplace();
+        RayNode in = surface(0, {{0, 0, 4}, {0, 0, -1}}, 8.0);
+        in.parent = 0, in.kind = RayNode::Kind::refracted, in.inside = true, in.shares = RayNode::Shares{0, 0, 1};
+        RayNode out;
+        out.ray = {{0, 0, -4}, {0, 0, -1}};
+        out.parent = 2, out.kind = RayNode::Kind::refracted, out.end = RayNode::End::background;
+        log.nodes = {camera, mirrored, in, out};
+    }
+    static RayNode surface(std::uint32_t object, const Ray& ray, double t) {
+        RayNode node;
+        node.object = object;
+        node.ray = ray;
+        node.t = t;
+        node.point = ray.at(t);
+        node.normal = Vec3(0, 0, 1);
+        node.layers = {{Rgb(1, 0.5, 0.25), 0.0, 0.0}};
+        return node;
+    }
+    Scene scene;
+    RayLog log;
+    const PixelName pixel{3, 4, {153, 128, 102}};
+};
+
+TEST_F(CourseText, OfOneRay) {
+    EXPECT_EQ(pixelray_text(pixel, {{0, 0, 8}, {0, 0.6, -0.8}}), "Pixel: [3, 4] Ray: {0.0000 0.0000 8.0000} -> {0.0000 0.6000 -0.8000}\n");
+    EXPECT_EQ(firsthit_text(pixel, scene, log.nodes[0]),
+              "Pixel: [3, 4] Ray: {0.0000 0.0000 8.0000} -> {0.0000 0.0000 -1.0000}\n"
+              "T = 4.0000\n"
+              "Object Type: Sphere\n"
+              "Color: 1.0000 0.5000 0.2500\n");
+    EXPECT_EQ(pixelcolor_text(pixel, scene, log.nodes[0], "Blinn-Phong"),
+              "Pixel: [3, 4] Ray: {0.0000 0.0000 8.0000} -> {0.0000 0.0000 -1.0000}\n"
+              "T = 4.0000\n"
+              "Object Type: Sphere\n"
+              "BRDF: Blinn-Phong\n"
+              "Color: (153, 128, 102)\n");
+    const std::string none = "Pixel: [3, 4] Ray: {0.0000 0.0000 -4.0000} -> {0.0000 0.0000 -1.0000}\nNo Hit\n";
+    EXPECT_EQ(firsthit_text(pixel, scene, log.nodes[3]), none);
+    EXPECT_EQ(pixelcolor_text(pixel, scene, log.nodes[3], "Blinn-Phong"), none);
+}
+
+TEST_F(CourseText, OfATreeRayByRay) {
+    EXPECT_EQ(printrays_text(pixel, scene, {&log, 1}),
+              "Pixel: [3, 4] Color: (153, 128, 102)\n"
+              "----\n"
+              "  Iteration type: Primary\n"
+              "             Ray: {0.0000 0.0000 8.0000} -> {0.0000 0.0000 -1.0000}\n"
+              " Transformed Ray: {-1.0000 0.0000 2.0000} -> {0.0000 0.0000 -0.2500}\n"
+              "      Hit Object: (ID #1 - Sphere)\n"
+              "    Intersection: {0.0000 0.0000 4.0000} at T = 4.0000\n"
+              "          Normal: {0.0000 0.0000 1.0000}\n"
+              "     Final Color: {0.6000 0.5000 0.4000}\n"
+              "         Ambient: {0.1000 0.2000 0.3000}\n"
+              "         Diffuse: {0.0000 0.0000 0.0000}\n"
+              "        Specular: {0.0000 0.0000 0.0000}\n"
+              "      Reflection: {0.2500 0.2500 0.2500}\n"
+              "      Refraction: {0.1250 0.1250 0.1250}\n"
+              "   Contributions: 0.2500 Local, 0.2500 Reflection, 0.5000 Transmission\n"
+              "----\n"
+              "  Iteration type: Reflection\n"
+              "             Ray: {0.0000 0.0000 4.0000} -> {0.0000 1.0000 0.0000}\n"
+              "      Hit Object: (ID #2 - Plane)\n"
+              "    Intersection: {0.0000 2.0000 4.0000} at T = 2.0000\n"
+              "          Normal: {0.0000 0.0000 1.0000}\n"
+              "     Final Color: {0.0000 0.0000 0.0000}\n"
+              "         Ambient: {0.0000 0.0000 0.0000}\n"
+              "         Diffuse: {0.0000 0.0000 0.0000}\n"
+              "        Specular: {0.0000 0.0000 0.0000}\n"
+              "      Reflection: {0.0000 0.0000 0.0000}\n"
+              "      Refraction: {0.0000 0.0000 0.0000}\n"
+              "   Contributions: 1.0000 Local, 0.0000 Reflection, 0.0000 Transmission\n"
+              "----\n"
+              "  Iteration type: Refraction\n"
+              "             Ray: {0.0000 0.0000 4.0000} -> {0.0000 0.0000 -1.0000}\n"
+              " Transformed Ray: {-1.0000 0.0000 1.0000} -> {0.0000 0.0000 -0.2500}\n"
+              "      Hit Object: (ID #1 - Sphere)\n"
+              "    Intersection: {0.0000 0.0000 -4.0000} at T = 8.0000\n"
+              "          Normal: {0.0000 0.0000 1.0000}\n"
+              "     Final Color: {0.0000 0.0000 0.0000}\n"
+              "         Ambient: {0.0000 0.0000 0.0000}\n"
+              "         Diffuse: {0.0000 0.0000 0.0000}\n"
+              "        Specular: {0.0000 0.0000 0.0000}\n"
+              "      Reflection: {0.0000 0.0000 0.0000}\n"
+              "      Refraction: {0.0000 0.0000 0.0000}\n"
+              "   Contributions: 0.0000 Local, 0.0000 Reflection, 1.0000 Transmission\n"
+              "      Extra Info: into-object\n"
+              "----\n"
+              "  Iteration type: Refraction\n"
+              "             Ray: {0.0000 0.0000 -4.0000} -> {0.0000 0.0000 -1.0000}\n"
+              "  No intersection.\n"
+              "      Extra Info: into-air\n"
+              "\n\n"
+              "--------------------------------------------------------------------------------\n\n");
+}
+
+TEST_F(CourseText, OfATreeDrawn) {
+    log.nodes[0].shares.reset();  // another shading has none
+    log.nodes[1].object = RayNode::none;
+    log.nodes[1].end = RayNode::End::weight;
+    EXPECT_EQ(pixeltrace_text(pixel, scene, {&log, 1}),
+              "Pixel: [3, 4] Color: (153, 128, 102)\n"
+              "o - Iteration type: Primary\n"
+              "|              Ray: {0.0000 0.0000 8.0000} -> {0.0000 0.0000 -1.0000}\n"
+              "|  Transformed Ray: {-1.0000 0.0000 2.0000} -> {0.0000 0.0000 -0.2500}\n"
+              "|       Hit Object: (ID #1 - Sphere)\n"
+              "|     Intersection: {0.0000 0.0000 4.0000} at T = 4.0000\n"
+              "|           Normal: {0.0000 0.0000 1.0000}\n"
+              "|      Final Color: {0.6000 0.5000 0.4000}\n"
+              "|          Ambient: {0.1000 0.2000 0.3000}\n"
+              "|          Diffuse: {0.0000 0.0000 0.0000}\n"
+              "|         Specular: {0.0000 0.0000 0.0000}\n"
+              "|       Reflection: {0.2500 0.2500 0.2500}\n"
+              "|       Refraction: {0.1250 0.1250 0.1250}\n"
+              "|       Shadow Ray: Light[0] arrives\n"
+              "|       Shadow Ray: Light[1] is hidden\n"
+              "|\\\n"
+              "| o - Iteration type: Reflection\n"
+              "|                Ray: {0.0000 0.0000 4.0000} -> {0.0000 1.0000 0.0000}\n"
+              "|     Not followed: too faint to matter.\n"
+              " \\\n"
+              "  o - Iteration type: Refraction\n"
+              "  |              Ray: {0.0000 0.0000 4.0000} -> {0.0000 0.0000 -1.0000}\n"
+              "  |  Transformed Ray: {-1.0000 0.0000 1.0000} -> {0.0000 0.0000 -0.2500}\n"
+              "  |       Hit Object: (ID #1 - Sphere)\n"
+              "  |     Intersection: {0.0000 0.0000 -4.0000} at T = 8.0000\n"
+              "  |           Normal: {0.0000 0.0000 1.0000}\n"
+              "  |      Final Color: {0.0000 0.0000 0.0000}\n"
+              "  |          Ambient: {0.0000 0.0000 0.0000}\n"
+              "  |          Diffuse: {0.0000 0.0000 0.0000}\n"
+              "  |         Specular: {0.0000 0.0000 0.0000}\n"
+              "  |       Reflection: {0.0000 0.0000 0.0000}\n"
+              "  |       Refraction: {0.0000 0.0000 0.0000}\n"
+              "  |    Contributions: 0.0000 Local, 0.0000 Reflection, 1.0000 Transmission\n"
+              "  |       Extra Info: into-object\n"
+              "   \\\n"
+              "    o - Iteration type: Refraction\n"
+              "                   Ray: {0.0000 0.0000 -4.0000} -> {0.0000 0.0000 -1.0000}\n"
+              "        No intersection.\n"
+              "            Extra Info: into-air\n"
+              "\n"
+              "--------------------------------------------------------------------------------\n\n");
+}
+
+}  // namespace
+}  // namespace rt
