@@ -56,7 +56,7 @@ bool accept(CourseOptions& options, const std::string& word) {
     if (name != "-gi_samples" && name != "-gi_bounces") return false;
     options.about_indirect = name;
     if (name == "-gi_bounces") {
-        options.bounces = whole_number(name, value, 0, most_bounces);
+        options.bounces = whole_number(name, value, 1, most_bounces);
         return true;
     }
     options.samples.clear();

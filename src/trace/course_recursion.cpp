@@ -40,6 +40,12 @@ Vec3 turned_to(const Vec3& n, const Vec3& direction) {
     return unit(direction.x * tangent + direction.y * bitangent + direction.z * n);
 }
 
+/// What a camera ray brings. Terms guard themselves against NaN; what is left comes from products of infinities with 0: an overflow.
+Radiance seen(const Rgb& light) {
+    const auto overflowed = [](double x) { return std::isnan(x) ? infinity : x; };
+    return {{overflowed(light.r), overflowed(light.g), overflowed(light.b)}, 0.0};
+}
+
 }  // namespace
 
 CourseRecursion::CourseRecursion(const World& world, const CourseRules& rules)
@@ -50,7 +56,7 @@ Radiance CourseRecursion::camera_ray(const Ray& ray, RayLog* log) {
     ++counts.camera;
     Path path{.ray = ray, .key = key_of(ray)};
     record(RayNode::none, RayNode::Kind::camera, path);
-    return {follow(path).light, 0.0};
+    return seen(follow(path).light);
 }
 
 void CourseRecursion::camera_rays(std::span<const Ray> rays, std::span<Radiance> light) {
@@ -61,8 +67,8 @@ void CourseRecursion::camera_rays(std::span<const Ray> rays, std::span<Radiance>
         const std::uint32_t found = world_.nearest(packet, ahead, RayKind::image, hits);
         for (std::size_t i = 0; i < packet.size(); ++i) {
             ++counts.camera;
-            light[first + i] = {arrive({.ray = packet[i], .key = key_of(packet[i])}, (found >> i & 1u) != 0 ? &hits[i] : nullptr).light,
-                                0.0};
+            const Path path{.ray = packet[i], .key = key_of(packet[i])};
+            light[first + i] = seen(arrive(path, (found >> i & 1u) != 0 ? &hits[i] : nullptr).light);
         }
     }
 }

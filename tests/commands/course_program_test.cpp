@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{{"render", "a.pov", "8", "6", "-ss=0"}, "raytrace: ss: 0 is outside 1 to 64"},
                     Wrong{{"render", "a.pov", "8", "6", "-gi", "-gi_samples=4,x"}, "raytrace: -gi_samples: 'x' is no number"},
                     Wrong{{"render", "a.pov", "8", "6", "-gi", "-gi_samples"}, "raytrace: -gi_samples: '' is no number"},
-                    Wrong{{"render", "a.pov", "8", "6", "-gi", "-gi_bounces=99"}, "raytrace: -gi_bounces: 99 is outside 0 to 16"}));
+                    Wrong{{"render", "a.pov", "8", "6", "-gi", "-gi_bounces=99"}, "raytrace: -gi_bounces: 99 is outside 1 to 16"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Options, CourseMistakes,

@@ -332,6 +332,30 @@ TEST(CoursePixel, HasATreeForEachSampleOfItsGrid) {
     EXPECT_EQ(pixel.pixel, render(*t.world, options).film.at(3, 5));
 }
 
+TEST(CourseTracer, OverflowIsInfiniteAndNeverNoNumber) {
+    Finish f = plain(Rgb(1e300), 1e300);
+    Traced t(scene_with({object(floor_plane(), texture(color({1e300, 0, 1}), f))}, {point_light({0, 5, 0}, {1e300, 1e300, 0})}), by());
+    const Rgb light = t.look({0, 2, 0}, down).rgb;
+    EXPECT_EQ(light.r, infinity);
+    EXPECT_EQ(light.g, infinity);  // 1e600 of light on a black pigment
+    EXPECT_EQ(light.b, 1e300);
+}
+
+TEST(CourseTracer, ALampOnTheSurfaceOrBehindTheViewersBackMakesNoFault) {
+    Finish f = plain(Rgb(0.1), 0.5);
+    f.specular = 0.5, f.roughness = 0.1;
+    const Object floor = object(floor_plane(), texture(color(Rgb(1.0)), f));
+    for (const bool cook_torrance : {false, true}) {
+        CourseRules rules;
+        rules.cook_torrance = cook_torrance;
+        for (const Vec3& place : {Vec3(0, 0, 0), Vec3(0, 0.001, 0), Vec3(0, -3, 0)}) {
+            Traced t(scene_with({floor}, {point_light(place)}), by(rules));
+            const double light = t.look({0, 2, 0}, down).rgb.r;
+            EXPECT_TRUE(std::isfinite(light) && light >= 0.1) << place.y << " " << light;
+        }
+    }
+}
+
 TEST(CourseTracer, ManyRaysBringWhatEachBringsAndTheRecordAddsUp) {
     CourseRules rules = with(&CourseRules::fresnel);
     rules.beers = true;
