@@ -13,6 +13,7 @@
 #include "commands/job_steps.h"
 #include "commands/names.h"
 #include "commands/session.h"
+#include "commands/surroundings.h"
 #include "commands/text.h"
 #include "trace/camera.h"
 #include "trace/pixel_rays.h"
@@ -74,8 +75,11 @@ Traced trace(CourseArguments& arguments) {
     Traced traced;
     traced.scene = read_scene(arguments.job, silent);
     const World world = build_world(arguments.job, traced.scene, silent);
-    traced.rays = trace_pixel(world, render_options(arguments.job, traced.scene), arguments.x, row_from_top(arguments));
-    const Encoding encoding = encoding_of(arguments.job, traced.scene.settings.gamma);
+    RenderOptions options = render_options(arguments.job, traced.scene);
+    options.trace.environment = read_surroundings(arguments.job.environment);
+    traced.rays = trace_pixel(world, std::move(options), arguments.x, row_from_top(arguments));
+    Encoding encoding = encoding_of(arguments.job, traced.scene.settings.gamma);
+    encoding.bits = 8;
     const Pixel& p = traced.rays.pixel;
     traced.name = {arguments.x, arguments.y, {quantise(p.r, encoding), quantise(p.g, encoding), quantise(p.b, encoding)}};
     return traced;

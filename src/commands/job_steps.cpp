@@ -18,7 +18,10 @@ namespace {
 void settle_course(RenderJob& job) {
     const bool course = job.profile == Profile::csc473 && !job.shading && job.model.empty();
     if (!course && job.course) throw OptionError("the course's options go with its own rules, not with another shading");
-    if (course && !job.course) job.course.emplace();
+    if (!course) return;
+    if (!job.environment.empty()) throw OptionError("--environment goes with another shading, not with the course's rules");
+    if (job.povray_quality) throw OptionError("a quality (+Q) goes with another shading, not with the course's rules");
+    if (!job.course) job.course.emplace();
 }
 
 void fill_defaults(RenderJob& job) {

@@ -192,6 +192,8 @@ INSTANTIATE_TEST_SUITE_P(
                           "raytrace: '-W9': the size stands behind the scene: raytrace pixelcolor SCENE WIDTH HEIGHT"},
                     Wrong{{"render", "a.pov", "8", "6", "-fresnel", "--shading", "povray"},
                           "raytrace: the course's options go with its own rules, not with another shading"},
+                    Wrong{{"a.pov", "--profile=csc473", "-q", "+Q3"},
+                          "raytrace: a quality (+Q) goes with another shading, not with the course's rules"},
                     Wrong{{"render", "b.pov", "8", "6"}, "File 'b.pov': Parse Error: Cannot open input file."},
                     Wrong{{"sceneinfo", "b.pov"}, "File 'b.pov': Parse Error: Cannot open input file."},
                     Wrong{{"printrays", "b.pov", "8", "6", "1", "1"}, "File 'b.pov': Parse Error: Cannot open input file."}));
@@ -232,6 +234,18 @@ TEST_F(CourseProgram, WordsThatItsRulesDoNotUseAreWarnedOfOutsideTheCoursesOwnCo
     const Outcome outcome = run({"b.pov", "--profile=csc473", "--size=8x6"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.err.find("line 3: Parse Warning: The course's rules do not use phong."), std::string::npos) << outcome.err;
+}
+
+TEST_F(CourseProgram, SurroundingsBelongToOtherShadings) {
+    EXPECT_EQ(run({"a.pov", "-q", "-o", "sky.png", "--size=8x4"}).status, 0);
+    EXPECT_EQ(run({"pixelcolor", "a.pov", "8", "6", "4", "3", "--environment", "sky.png"}).err,
+              "raytrace: --environment goes with another shading, not with the course's rules\n");
+    // Glass over the middle of the picture shows them in the pixel as in the picture.
+    const Words options{"--environment", "sky.png", "--shading", "general"};
+    Words render{"render", "a.pov", "8", "6"}, pixel{"pixelcolor", "a.pov", "8", "6", "4", "3"};
+    render.insert(render.end(), options.begin(), options.end()), pixel.insert(pixel.end(), options.begin(), options.end());
+    EXPECT_EQ(run(render).status, 0);
+    EXPECT_NE(run(pixel).out.find(bytes_of_picture(4, 3)), std::string::npos);
 }
 
 TEST_F(CourseProgram, HelpIsTheTopic) {
