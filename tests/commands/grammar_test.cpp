@@ -82,41 +82,41 @@ class Grammar : public testing::TestWithParam<Line> {};
 
 TEST_P(Grammar, Means) { EXPECT_EQ(summary(job_of(GetParam().words)), GetParam().meaning); }
 
-INSTANTIATE_TEST_SUITE_P(Gnu, Grammar,
-                         testing::Values(Line{{"a.pov"}, "a.pov"},                                                          //
-                                         Line{{"./render"}, "./render.pov"},                                                //
-                                         Line{{"dir/a"}, "dir/a.pov"},                                                      //
-                                         Line{{"a.pov", "-W", "64", "-H", "48"}, "a.pov 64x48"},                            //
-                                         Line{{"-W", "64", "a.pov", "--height=48"}, "a.pov 64x48"},                         //
-                                         Line{{"--size", "64x48", "a.pov"}, "a.pov 64x48"},                                 //
-                                         Line{{"--size=64X48", "a.pov"}, "a.pov 64x48"},                                    //
-                                         Line{{"-W", "64", "-W", "32", "a.pov"}, "a.pov 32x600"},                           //
-                                         Line{{"a.pov", "-o", "b.exr"}, "a.pov -o=b.exr"},                                  //
-                                         Line{{"a.pov", "--outfile=b.png"}, "a.pov -o=b.png"},                              //
-                                         Line{{"a.pov", "-o", "+W64"}, "a.pov -o=+W64"},                                    //
-                                         Line{{"a.pov", "--format", "tiff", "--bits", "16"}, "a.pov format=tiff bits=16"},  //
-                                         Line{{"a.pov", "-t", "2"}, "a.pov threads=2"},                                     //
-                                         Line{{"a.pov", "-t2", "-q"}, "a.pov threads=2 quiet"},                             //
-                                         Line{{"a.pov", "--stats", "--lenient"}, "a.pov lenient stats"},                    //
-                                         Line{{"a.pov", "-ss=3"}, "a.pov grid=3"},                                          //
-                                         Line{{"a.pov", "-ss", "2"}, "a.pov grid=2"},                                       //
-                                         Line{{"a.pov", "--ss=1"}, "a.pov"},                                                //
-                                         Line{{"a.pov", "--aa", "2,0.1,4"}, "a.pov aa=2,0.1,4"},                            //
-                                         Line{{"a.pov", "--aa=1"}, "a.pov aa=1,0.3,3"},                                     //
-                                         Line{{"a.pov", "--shading", "povray"}, "a.pov shading=povray"},                    //
-                                         Line{{"a.pov", "--distances=scaled", "--precision=fast"}, "a.pov distances=scaled precision=fast"},
-                                         Line{{"a.pov", "--alpha", "direct", "--index", "brute_force"},
-                                              "a.pov alpha=direct index=brute_force"},
-                                         Line{{"a.pov", "--profile", "csc473"}, "a.pov profile=csc473"},                      //
-                                         Line{{"a.pov", "--define", "N=3", "--define", "S=\"x y\""}, "a.pov N:=3 S:=x y"},    //
-                                         Line{{"a.pov", "--define=N=3"}, "a.pov N:=3"},                                       //
-                                         Line{{"a.pov", "-L", "one", "--library=two"}, "a.pov L=one L=two"},                  //
-                                         Line{{"a.pov", "--clock", "-0.5"}, "a.pov clock=-0.5"},                              //
-                                         Line{{"a.pov", "--file-gamma", "2.2", "--dither", "on"}, "a.pov gamma=2.2 dither"},  //
-                                         Line{{"a.pov", "--crop", "1,3,0,2"}, "a.pov region=1,3,0,2"},                        //
-                                         Line{{"--", "-W64"}, "-W64.pov"},                                                    //
-                                         Line{{"--", "+odd=name.pov"}, "+odd=name.pov"},                                      //
-                                         Line{{"a.pov", "--seed", "7"}, "a.pov (--seed has no effect: what is random follows from the pixel)"}));
+INSTANTIATE_TEST_SUITE_P(
+    Gnu, Grammar,
+    testing::Values(Line{{"a.pov"}, "a.pov"},                                                          //
+                    Line{{"./render"}, "./render.pov"},                                                //
+                    Line{{"dir/a"}, "dir/a.pov"},                                                      //
+                    Line{{"a.pov", "-W", "64", "-H", "48"}, "a.pov 64x48"},                            //
+                    Line{{"-W", "64", "a.pov", "--height=48"}, "a.pov 64x48"},                         //
+                    Line{{"--size", "64x48", "a.pov"}, "a.pov 64x48"},                                 //
+                    Line{{"--size=64X48", "a.pov"}, "a.pov 64x48"},                                    //
+                    Line{{"-W", "64", "-W", "32", "a.pov"}, "a.pov 32x600"},                           //
+                    Line{{"a.pov", "-o", "b.exr"}, "a.pov -o=b.exr"},                                  //
+                    Line{{"a.pov", "--outfile=b.png"}, "a.pov -o=b.png"},                              //
+                    Line{{"a.pov", "-o", "+W64"}, "a.pov -o=+W64"},                                    //
+                    Line{{"a.pov", "--format", "tiff", "--bits", "16"}, "a.pov format=tiff bits=16"},  //
+                    Line{{"a.pov", "-t", "2"}, "a.pov threads=2"},                                     //
+                    Line{{"a.pov", "-t2", "-q"}, "a.pov threads=2 quiet"},                             //
+                    Line{{"a.pov", "--stats", "--lenient"}, "a.pov lenient stats"},                    //
+                    Line{{"a.pov", "-ss=3"}, "a.pov grid=3"},                                          //
+                    Line{{"a.pov", "-ss", "2"}, "a.pov grid=2"},                                       //
+                    Line{{"a.pov", "--ss=1"}, "a.pov"},                                                //
+                    Line{{"a.pov", "--aa", "2,0.1,4"}, "a.pov aa=2,0.1,4"},                            //
+                    Line{{"a.pov", "--aa=1"}, "a.pov aa=1,0.3,3"},                                     //
+                    Line{{"a.pov", "--shading", "povray"}, "a.pov shading=povray"},                    //
+                    Line{{"a.pov", "--distances=scaled", "--precision=fast"}, "a.pov distances=scaled precision=fast"},
+                    Line{{"a.pov", "--alpha", "direct", "--index", "brute_force"}, "a.pov alpha=direct index=brute_force"},
+                    Line{{"a.pov", "--profile", "csc473"}, "a.pov profile=csc473"},                      //
+                    Line{{"a.pov", "--define", "N=3", "--define", "S=\"x y\""}, "a.pov N:=3 S:=x y"},    //
+                    Line{{"a.pov", "--define=N=3"}, "a.pov N:=3"},                                       //
+                    Line{{"a.pov", "-L", "one", "--library=two"}, "a.pov L=one L=two"},                  //
+                    Line{{"a.pov", "--clock", "-0.5"}, "a.pov clock=-0.5"},                              //
+                    Line{{"a.pov", "--file-gamma", "2.2", "--dither", "on"}, "a.pov gamma=2.2 dither"},  //
+                    Line{{"a.pov", "--crop", "1,3,0,2"}, "a.pov region=1,3,0,2"},                        //
+                    Line{{"--", "-W64"}, "-W64.pov"},                                                    //
+                    Line{{"--", "+odd=name.pov"}, "+odd=name.pov"},                                      //
+                    Line{{"a.pov", "--seed", "7"}, "a.pov (--seed has no effect: what is random follows from the pixel)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Povray, Grammar,
