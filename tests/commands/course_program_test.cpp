@@ -237,15 +237,16 @@ TEST_F(CourseProgram, WordsThatItsRulesDoNotUseAreWarnedOfOutsideTheCoursesOwnCo
 }
 
 TEST_F(CourseProgram, SurroundingsBelongToOtherShadings) {
-    EXPECT_EQ(run({"a.pov", "-q", "-o", "sky.png", "--size=8x4"}).status, 0);
+    here.write("sky.pov", "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nbackground { rgb <0.2, 0.4, 0.8> }\n");
+    EXPECT_EQ(run({"sky.pov", "--size=8x4"}).status, 0);
     EXPECT_EQ(run({"pixelcolor", "a.pov", "8", "6", "4", "3", "--environment", "sky.png"}).err,
               "raytrace: --environment goes with another shading, not with the course's rules\n");
-    // Glass over the middle of the picture shows them in the pixel as in the picture.
-    const Words options{"--environment", "sky.png", "--shading", "general"};
-    Words render{"render", "a.pov", "8", "6"}, pixel{"pixelcolor", "a.pov", "8", "6", "4", "3"};
-    render.insert(render.end(), options.begin(), options.end()), pixel.insert(pixel.end(), options.begin(), options.end());
+    Words render{"render", "a.pov", "8", "6"}, pixel{"printrays", "a.pov", "8", "6", "4", "5"};
+    for (const char* option : {"--environment=sky.png", "--shading=general"}) render.emplace_back(option), pixel.emplace_back(option);
     EXPECT_EQ(run(render).status, 0);
-    EXPECT_NE(run(pixel).out.find(bytes_of_picture(4, 3)), std::string::npos);
+    const std::string sky = bytes_of_picture(4, 5);
+    EXPECT_NE(sky, "Color: (0, 0, 0)\n");
+    EXPECT_NE(run(pixel).out.find(sky), std::string::npos);
 }
 
 TEST_F(CourseProgram, HelpIsTheTopic) {
