@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/model_keys.h"
 #include "scene/scene.h"
 #include "world/model_choice.h"
 
@@ -16,23 +17,16 @@ struct ModelOption {
     std::string key, value;
 };
 
-/// Whether `key` chooses from the catalogue; other keys of a scene's comments are settings of the whole picture.
-bool is_model_key(std::string_view key);
+/// Throws OptionError for choices of the command line that contradict each other: f0 with eta or k, coefficients of a law that is not
+/// the polynomial.
+void check_together(std::span<const ModelOption> command_line);
 
-/// Of those, the ones about all lamps of a picture, which no single finish can choose.
-bool is_lamp_key(std::string_view key);
-
-/// The keys of the catalogue that are options of the command line as well, with a line of help each.
-struct ModelKey {
-    std::string_view key, values, help;
-};
-std::span<const ModelKey> model_keys();
-
-/// Adds one choice. Throws OptionError for a value that does not exist or is out of the model's range.
-void choose(ModelChoice& choice, std::string_view key, std::string_view value);
-
-/// The choice for a finish: the file's choices, then the finish's own, then the command line's, presets and models first in each.
-/// Throws SceneError, with the place, for a scene's value that does not exist.
+/// The choice for a finish. Three levels: what the file states, then what the finish states, then the command line; a later level wins over
+/// an earlier one. Inside a level presets come first, then materials, then models (shading), then single terms, whatever their order in
+/// the text; of several statements of a key the last counts. A preset and a material start anew what others of their kind set. The
+/// microfacet model keeps the terms chosen for it, but not those of a model that brought its own. f0 and the indices eta and k replace each
+/// other. Throws SceneError, with the place, for a scene's value that does not exist or contradicts another one of its level, and
+/// OptionError for such options.
 ModelChoice choice_for(const Scene& scene, const std::vector<SceneOption>& finish, const std::vector<ModelOption>& command_line);
 
 /// Every name of the catalogue with the text it comes from, for help.

@@ -354,6 +354,7 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     check_dithering(draft);
     choose_region(draft);
     RenderJob& job = draft.job;
+    check_together(job.model);
     job.parse.image_width = job.width;
     job.parse.image_height = job.height;
     if (job.profile == Profile::csc473) read_as_course(job.parse);

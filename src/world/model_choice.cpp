@@ -29,17 +29,17 @@ double exponent_of(const ModelChoice& choice, const Finish& finish) {
     return std::fmin(std::fmax(0.0, 2.0 / width - 2.0), largest_exponent);
 }
 
-/// Stated indices win over a stated reflectance, and that over the object's index.
+/// By the stated reflectance or the stated indices, of which the object's own may be one.
 Interface interface_for(const ModelChoice& choice, double ior, int channel) {
-    if (choice.eta || choice.k) return interface_of(choice.eta ? (*choice.eta)[channel] : ior, choice.k ? (*choice.k)[channel] : 0.0);
     if (choice.f0) return interface_of_f0((*choice.f0)[channel]);
-    return interface_of(ior);
+    return interface_of(choice.eta ? (*choice.eta)[channel] : ior, choice.k ? (*choice.k)[channel] : 0.0);
 }
 
 }  // namespace
 
 SurfaceModel fill(const ModelChoice& choice, const Finish& finish, double ior, AlphaMapping mapping) {
     SurfaceModel model = choice.model;
+    if (choice.blinn_inverse_roughness && model.terms.D == Distribution::blinn) model.terms.D = Distribution::blinn_inverse_roughness;
     // Where the diffuse term has what the highlight leaves, it cannot leave less than nothing.
     model.s = choice.s.value_or(std::fmin(std::fmax(finish.specular, 0.0), model.shares ? 1.0 : largest_lobe));
     model.alpha = std::fmax(choice.alpha_floor, choice.alpha.value_or(mapped_alpha(finish.roughness, choice.mapping.value_or(mapping))));

@@ -18,10 +18,12 @@ enum class AlphaMapping {
 /// A model with numbers that may come from the finish: what is unset does.
 struct ModelChoice {
     SurfaceModel model;
+    bool brought_terms = false;            ///< the model's terms are those of a model that brings its own, not chosen one by one
+    bool blinn_inverse_roughness = false;  ///< Blinn's distribution, if it is chosen, has the power 1/roughness
     std::optional<AlphaMapping> mapping;
     std::optional<double> alpha, exponent, s;
-    double alpha_floor = 0.0;  ///< least alpha, wherever it comes from
-    std::optional<Rgb> f0, eta, k;
+    double alpha_floor = 0.0;                  ///< least alpha, wherever it comes from
+    std::optional<Rgb> f0, eta, k;             ///< f0, or the indices
     LampRules lamps;                           ///< of the whole picture
     double norm = 1.0, units = 1.0, dw = 1.0;  ///< factors on the microfacet lobe: of a misprint, of the units, of the lamps' solid angle
 };

@@ -100,7 +100,7 @@ TEST(BrdfPlot, EveryChoiceIsAPicture) {
         {"--preset", "reference", "--material", "shiny-gold"},
         {"--preset", "effects"},
         {"--preset", "lecture", "--half", "nv", "--denominator", "clamped"},
-        {"--blinn-power", "inverse-roughness"},
+        {"--D", "blinn", "--blinn-power", "inverse-roughness"},
         {"--preset", "phong-lights"},
         {"--shading", "blinn-phong", "--exponent", "1e6"},
     };
@@ -167,6 +167,7 @@ TEST(BrdfPlot, MistakesAreNamed) {
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(outcome.err, "raytrace: " + message + "\n");
     };
+    fails({"--f0", "0.5", "--eta", "1.5"}, "f0: 'eta' is stated as well, and each says what the surface reflects; expected one of them");
     fails({"--D", "phong"}, "D: 'phong' is unknown; expected one of ggx, beckmann, blinn, gaussian");
     fails({"--alpha", "0"}, "alpha: 0 is outside 1e-08 to 10");
     fails({"--alpha", "0.1,wide"}, "alpha: 'wide' is no number");
