@@ -76,7 +76,9 @@ folders of -L (Library_Path), in $RAYTRACE_LIBRARY_PATH and in POV-Ray's own.
 A scene may state its own choices in comments, which POV-Ray skips:
     //! raytrace: shading=povray precision=exact
 Keys: distances, precision and those of help shading; inside finish {} for that
-finish alone. The command line wins.
+finish alone, but for att, range, spot (clamp is there about the highlight).
+File < finish < command line: a later one wins. In each: presets, then
+materials, then shading, then single terms, whatever their order.
 --define NAME=VALUE declares a number or a string; --clock X sets clock.
 )";
 

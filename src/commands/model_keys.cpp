@@ -243,6 +243,7 @@ constexpr std::array keys{
         [](const Shading& x) { return x.model.ambient_per_light; }},
     Key{{"clamp", "before|after", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) {
+            // Of a finish only its own half counts, about Phong's highlight: the lamps obey the file and the command line.
             c.model.clamp_after = c.lamps.clamp_after = second_of(key, v, "before", "after");
         },
         reads_clamp},
@@ -282,6 +283,13 @@ const Key* find_key(std::string_view key) {
 }  // namespace
 
 bool is_lamp_key(std::string_view key) { return key == "att" || key == "att-coefficients" || key == "range" || key == "spot"; }
+
+std::string lamp_choices_of_preset(std::string_view name) {
+    std::string choices;
+    for (const std::string& word : split(find_named(preset_names, name).value_or(""), ' '))
+        if (is_lamp_key(std::string_view(word).substr(0, word.find('=')))) choices += (choices.empty() ? "" : " ") + word;
+    return choices;
+}
 
 bool is_model_key(std::string_view key) { return find_key(key) != nullptr; }
 

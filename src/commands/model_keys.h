@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "scene/scene.h"
@@ -14,6 +15,9 @@ bool is_model_key(std::string_view key);
 
 /// Of those, the ones about all lamps of a picture, which no single finish can choose.
 bool is_lamp_key(std::string_view key);
+
+/// The choices about all lamps in the row of that preset, as "key=value key=value"; "" where there is none, or no such preset.
+std::string lamp_choices_of_preset(std::string_view name);
 
 /// The keys of the catalogue that are options of the command line as well, with a line of help each.
 struct ModelKey {

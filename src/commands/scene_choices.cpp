@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <unordered_set>
-
 #include "commands/edge_choices.h"
 #include "commands/names.h"
 
@@ -30,35 +28,15 @@ void choose_lines(const Scene& scene, const SceneOption& option, EdgeOptions& ed
     }
 }
 
-/// The options of every finish in `layers`, each texture once.
-class FinishOptions {
-public:
-    template <typename Use>
-    void visit(const TextureLayers& layers, const Use& use) {
-        if (!seen_.insert(layers.identity()).second) return;
-        for (const Texture& texture : *layers) visit(texture, use);
-    }
-
-private:
-    std::unordered_set<const void*> seen_;
-
-    template <typename Use>
-    void visit(const Texture& texture, const Use& use) {
-        if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
-            if (!plain->finish.options.empty()) use(plain->finish.options);
-            return;
-        }
-        for (const std::vector<Texture>& cell : std::get<CheckerTexture>(texture.content).cells)
-            for (const Texture& inner : cell) visit(inner, use);
-    }
-};
-
 void check_finish(const Scene& scene, const std::vector<SceneOption>& options) {
     for (const SceneOption& option : options) {
         if (!is_model_key(option.key) || is_lamp_key(option.key))
             fail(scene, option, fmt::format("'{}' is for the whole picture, not for one finish", option.key));
         if (option.key == "shading" && option.value == "povray")
             fail(scene, option, "shading: 'povray' is for the whole picture, not for one finish");
+        if (const std::string lamps = option.key == "preset" ? lamp_choices_of_preset(option.value) : ""; !lamps.empty())
+            fail(scene, option,
+                 fmt::format("preset: '{}' is for the whole picture, not for one finish: {} is about all lamps", option.value, lamps));
     }
     choice_for(scene, options, {});
 }
@@ -74,12 +52,7 @@ SceneChoices choices_of(const Scene& scene) {
         if (option.key == "shading") choices.shading = option.value == "povray" ? ShadingModel::povray : ShadingModel::general;
     }
     choice_for(scene, {}, {});
-    FinishOptions finishes;
-    const auto check = [&](const std::vector<SceneOption>& options) { check_finish(scene, options); };
-    for (const Object& object : scene.objects) {
-        if (object.texture) finishes.visit(*object.texture, check);
-        if (object.interior_texture) finishes.visit(*object.interior_texture, check);
-    }
+    for (const std::vector<SceneOption>& options : scene.finish_options) check_finish(scene, options);
     return choices;
 }
 

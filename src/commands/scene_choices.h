@@ -16,7 +16,7 @@ struct SceneChoices {
 };
 
 /// What `scene` and the files it includes choose for the whole picture; the last statement of a key counts. The choices from the shading
-/// catalogue, of the files and of every finish in use, are checked as well. Throws SceneError, with the place, for a value that does not
+/// catalogue, of the files and of every finish, in use or not, are checked as well. Throws SceneError, with the place, for a value that does not
 /// exist or a choice that a finish cannot make.
 SceneChoices choices_of(const Scene& scene);
 

@@ -217,6 +217,7 @@ struct Scene {
     double language_version = 0.0;  ///< last #version; 0 when none was seen and no include restored one
     std::vector<Unmodelled> unmodelled;
     std::vector<SceneOption> options;
+    std::vector<std::vector<SceneOption>> finish_options;  ///< of each finish block that states some, in use or not
     Sources sources;
 };
 

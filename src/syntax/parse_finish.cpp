@@ -148,12 +148,14 @@ bool accept_unmodelled_item(Reader& reader) {
 Finish parse_finish(Reader& reader, Finish base) {
     reader.begin_block("finish");
     if (const Finish* declared = reader.accept_declared<Finish>()) base = *declared;
+    const std::size_t inherited = base.options.size();
     Albedos albedos;
     while (accept_choices(reader, base.options) || accept_light_item(reader, base, albedos) || accept_legacy_item(reader, base) ||
            accept_unmodelled_item(reader))
         continue;
     reader.end_block();
     scale_albedos(base, albedos);
+    if (base.options.size() > inherited) reader.scene().finish_options.push_back(base.options);
     return base;
 }
 

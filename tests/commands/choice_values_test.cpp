@@ -132,6 +132,18 @@ TEST(RefusedChoices, InACommentInAFinish) {
     }
 }
 
+TEST(RefusedChoices, InAFinishThatNothingUses) {
+    const std::string message = "D: 'nonsense' is unknown; expected one of ggx, beckmann, blinn, gaussian";
+    const std::pair<std::string, std::string> uses[] = {{"#declare F = finish {", "}"},
+                                                        {"#declare T = texture { pigment { rgb 1 } finish {", "} }"},
+                                                        {"#default { finish {", "} }"},
+                                                        {"#declare S = sphere { 0, 1 texture { finish {", "} } }"}};
+    for (const auto& [before, after] : uses) {
+        const std::string line = before + " //! raytrace: D=nonsense";
+        EXPECT_EQ(error_of_scene("#version 3.7;\n" + line + "\n" + after + "\n"), placed(2, line, "D=nonsense", message)) << before;
+    }
+}
+
 TEST(RefusedChoices, EveryKeyIsAmongThem) {
     const auto listed = [](std::string_view key) {
         return std::any_of(std::begin(refused), std::end(refused), [&](const Refused& row) { return row.key == key; });

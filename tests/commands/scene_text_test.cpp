@@ -202,9 +202,7 @@ TEST_F(Choices, OfAFinishAreCheckedWithTheirPlace) {
         const std::string text = "finish { //! raytrace: " + key + "=" + value;
         scene = Scene();
         state(text, {});
-        PlainTexture texture;
-        texture.finish.options.push_back({key, value, span_of(text, key + "=" + value)});
-        scene.objects.push_back(object(Sphere{}, std::vector<Texture>{Texture{texture}}));
+        scene.finish_options = {{{key, value, span_of(text, key + "=" + value)}}};
         return error().substr(0, error().find('\n'));
     };
     const std::string place = "File 'a.pov' line 1: Parse Error: ";
@@ -218,6 +216,9 @@ TEST_F(Choices, OfAFinishAreCheckedWithTheirPlace) {
     EXPECT_EQ(finish("eta", "1,2"), place + "eta: expected one number or three, not '1,2'");
     EXPECT_EQ(finish("alpha", "nan"), place + "alpha: 'nan' is unknown; expected roughness2, povray, direct or a number");
     EXPECT_EQ(finish("s", "1.5"), place + "s: 1.5 is outside 0 to 1");
+    EXPECT_EQ(finish("preset", "gooch-ct"), "accepted");
+    EXPECT_EQ(finish("preset", "phong-lights"),
+              place + "preset: 'phong-lights' is for the whole picture, not for one finish: att=1+d+d2 is about all lamps");
     EXPECT_EQ(finish("precision", "fast"), place + "'precision' is for the whole picture, not for one finish");
     EXPECT_EQ(finish("shading", "povray"), place + "shading: 'povray' is for the whole picture, not for one finish");
 }
