@@ -10,12 +10,16 @@ namespace rt {
 
 namespace {
 
+/// Of options that the help leaves out. CLI11's own group for them, "", would take their names from its messages.
+constexpr const char* hidden = "hidden";
+
 /// Options in two columns; the usage and the footer as they are.
 class ScreenFormatter : public CLI::Formatter {
 public:
     explicit ScreenFormatter(std::string usage) : usage_(std::move(usage)) { column_width(26); }
     std::string make_usage(const CLI::App*, std::string) const override { return usage_ + "\n"; }
-    std::string make_group(std::string, bool, std::vector<const CLI::Option*> options) const override {
+    std::string make_group(std::string group, bool, std::vector<const CLI::Option*> options) const override {
+        if (group == hidden) return "";
         std::string text;
         for (const CLI::Option* option : options) text += make_option(option, false);
         return text;
@@ -63,7 +67,7 @@ void CommandLine::value(const std::string& names, const std::string& type, const
         },
         help);
     option->type_name(type)->type_size(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    if (help.empty() || state_->hide) option->group("");
+    if (help.empty() || state_->hide) option->group(hidden);
 }
 
 void CommandLine::values(const std::string& names, const std::string& type, const std::string& help,
@@ -77,7 +81,7 @@ void CommandLine::values(const std::string& names, const std::string& type, cons
         },
         help);
     option->type_name(type)->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    if (help.empty() || state_->hide) option->group("");
+    if (help.empty() || state_->hide) option->group(hidden);
 }
 
 void CommandLine::flag(const std::string& names, const std::string& help, std::function<void()> use) {
@@ -87,7 +91,7 @@ void CommandLine::flag(const std::string& names, const std::string& help, std::f
             if (!state_->help_asked && count > 0) use();
         },
         help);
-    if (help.empty() || state_->hide) option->group("");
+    if (help.empty() || state_->hide) option->group(hidden);
 }
 
 void CommandLine::hide_from_help() { state_->hide = true; }
@@ -102,6 +106,16 @@ std::vector<std::string> CommandLine::long_names() const {
     for (const CLI::Option* option : state_->app.get_options())
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     return names;
+}
+
+/// CLI11 would take the word behind `--range=` for its value.
+void CommandLine::refuse_empty_values(const std::vector<std::string>& words) const {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string name = words[i].substr(0, words[i].find('='));
+        const bool value = i > 0 && takes_value(words[i - 1]);
+        if (!value && words[i].starts_with("--") && words[i] == name + "=" && takes_value(name))
+            throw OptionError("option '" + name + "' needs a value");
+    }
 }
 
 /// `-W=8` in two words, as CLI11 knows it; the value of another option stays.
@@ -124,6 +138,7 @@ std::vector<std::string> CommandLine::parse(const std::vector<std::string>& word
     // Words behind `--` are kept from CLI11, which would not tell them from misspelt options.
     const auto end_of_options = std::find(words.begin(), words.end(), "--");
     std::vector<std::string> reversed = with_values_apart({words.begin(), end_of_options});
+    refuse_empty_values(reversed);
     std::reverse(reversed.begin(), reversed.end());
     try {
         state_->app.parse(reversed);

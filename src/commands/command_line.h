@@ -35,6 +35,7 @@ public:
     std::string help() const;
 
 private:
+    void refuse_empty_values(const std::vector<std::string>& words) const;
     std::vector<std::string> with_values_apart(const std::vector<std::string>& words) const;
 
     struct State;

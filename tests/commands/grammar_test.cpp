@@ -192,6 +192,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"a.pov", "+H99999999999"}, "height: 99999999999 is outside 1 to 1000000"},
         Mistake{{"a.pov", "+Wabc"}, "width: 'abc' is no number"}, Mistake{{"a.pov", "+W1e999"}, "width: '1e999' is no number"},
         Mistake{{"a.pov", "+Wnan"}, "width: 'nan' is no number"}, Mistake{{"a.pov", "--width"}, "option '--width' needs a value"},
+        Mistake{{"a.pov", "--range"}, "option '--range' needs a value"}, Mistake{{"a.pov", "--range="}, "option '--range' needs a value"},
+        Mistake{{"--range=", "a.pov"}, "option '--range' needs a value"}, Mistake{{"--width=", "a.pov"}, "option '--width' needs a value"},
+        Mistake{{"--dither=", "a.pov"}, "option '--dither' needs a value"},
         Mistake{{"a.pov", "--size=64"}, "size: expected WIDTHxHEIGHT, not '64'"},
         Mistake{{"a.pov", "--shading", "gouraud"},
                 "shading: 'gouraud' is unknown; expected one of povray, general, cook-torrance, phong, blinn-phong, ct-effects, "
