@@ -78,7 +78,8 @@ A scene may state its own choices in comments, which POV-Ray skips:
 Keys: distances, precision and those of help shading; inside finish {} for that
 finish alone, but for att, range, spot (clamp is there about the highlight).
 File < finish < command line: a later one wins. In each: presets, then
-materials, then shading, then single terms, whatever their order.
+materials, then shading, then single terms, whatever their order. A material
+leaves k_d to the pigment.
 --define NAME=VALUE declares a number or a string; --clock X sets clock.
 )";
 

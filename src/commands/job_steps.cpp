@@ -67,8 +67,6 @@ Scene read_scene(RenderJob& job, const MessageSink& messages) {
     apply_scene_choices(scene, job);
     fill_defaults(job);
     if (job.course) check_course_scene(scene, messages);
-    if (*job.shading == ShadingModel::povray && !job.model.empty())
-        messages(fmt::format("raytrace: note: --{} has no effect: the shading is POV-Ray's", job.model.front().key));
     return scene;
 }
 

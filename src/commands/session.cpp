@@ -14,6 +14,7 @@
 #include "commands/stats.h"
 #include "commands/surroundings.h"
 #include "commands/text.h"
+#include "commands/without_effect.h"
 #include "film/image_file.h"
 
 namespace rt {
@@ -101,6 +102,7 @@ int run_session(RenderJob job) {
         const Timed timed(stats.phases.build);
         world = build_world(job, scene, messages);
     }
+    if (const std::string note = note_on_choices_without_effect(job, scene, world); !note.empty()) messages("raytrace: note: " + note);
     check_output(job, messages);
     const StopOnSignal signals;  // until the picture is written, so that no half file stays
     RenderResult result;

@@ -92,9 +92,10 @@ inline constexpr std::array<Named<std::string_view>, 8> preset_names{
      {"gooch-ct", "shading=cook-torrance D=beckmann G=cook-torrance F=schlick diffuse=gooch", "S2"},
      {"phong-lights", "shading=phong att=1+d+d2", "S3"}}};
 
-/// What they are made of; the pigment gives k_d, for a dull blue one <0.1, 0.2, 0.7>. Indices at about 650, 550 and 450 nm. Where the lobe is narrow a mirror ray stands for what it gathers of the surroundings, weighed by
-/// the lobe's albedo; a sharp picture on a dull surface would be wrong, so dull ones have their highlights and ambient light only. The
-/// mirror's lobe has no width and no highlight: all of it is the mirror ray.
+/// What bodies are made of, but for k_d, which the pigment gives (a dull blue body's is about <0.1, 0.2, 0.7>). Indices at about 650, 550
+/// and 450 nm. Where the lobe is narrow a mirror ray stands for what it gathers of the surroundings, weighed by the lobe's albedo; a sharp
+/// picture on a dull surface would be wrong, so dull ones have their highlights and ambient light only. The mirror's lobe has no width and
+/// no highlight: all of it is the mirror ray.
 inline constexpr std::array<Named<std::string_view>, 5> material_names{
     {{"shiny-gold", "eta=0.143,0.375,1.442 k=3.983,2.386,1.603 alpha=0.04 s=0.9 env=albedo", "S0"},
      {"dull-gold", "eta=0.143,0.375,1.442 k=3.983,2.386,1.603 alpha=0.3 s=0.7", "S0"},

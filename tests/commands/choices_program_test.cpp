@@ -92,10 +92,105 @@ TEST_F(ChoicesInScenes, StatsTellOfLobesNarrowerThanASample) {
         EXPECT_EQ(run({"c.pov", "--size=8x6", "--stats", option}).err.find("lobes narrower"), std::string::npos) << option;
 }
 
-TEST_F(ChoicesInScenes, UnderPovRaysShadingTheCatalogueIsSaidToHaveNoEffect) {
-    state("");
-    EXPECT_EQ(run({"c.pov", "--size=8x6", "--shading", "povray", "--D", "beckmann"}).err,
-              "raytrace: note: --D has no effect: the shading is POV-Ray's\n");
+/// The notes on a 8 x 6 picture of a sphere with that finish.
+class ChoicesWithoutEffect : public testing::Test {
+protected:
+    test::Workplace here;
+
+    void state(const std::string& comment, const std::string& finish, const std::string& lamp = "light_source { <2, 3, -4> rgb 1 }") {
+        here.write("c.pov", "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z }\n" + lamp + "\n" +
+                                (comment.empty() ? "" : "//! raytrace: " + comment + "\n") + "sphere { 0, 1 pigment { rgb 1 } finish { " +
+                                finish + "\n} }\n");
+    }
+    std::string notes(std::vector<std::string> options) {
+        options.insert(options.begin(), {"c.pov", "--size=8x6"});
+        const Outcome outcome = run(options);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return outcome.err;
+    }
+    static std::string idle(const std::string& named) {
+        const char* const what = named.find(',') == std::string::npos ? "it" : "them";
+        return "raytrace: note: no effect here: " + named + " (nothing in the picture depends on " + what + ")\n";
+    }
+};
+
+const char* const shiny_finish = "specular 0.5 roughness 0.5";
+
+TEST_F(ChoicesWithoutEffect, OfTheCommandLineAreNamedInOneNote) {
+    state("", shiny_finish);
+    EXPECT_EQ(notes({"--sigma=0.3", "--exponent=40"}),
+              "raytrace: note: no effect here: --exponent, --sigma (nothing in the picture depends on them)\n");
+    EXPECT_EQ(notes({"--sigma=0.3", "--exponent=40", "-q"}), "");
+}
+
+TEST_F(ChoicesWithoutEffect, AreThoseThatTheModelDoesNotRead) {
+    state("", shiny_finish);
+    const std::pair<std::vector<std::string>, std::string> rows[] = {
+        {{"--edge-width=2"}, "--edge-width"},
+        {{"--edges=silhouette", "--edge-angle=20"}, "--edge-angle"},
+        {{"--D=ggx", "--shading=phong"}, "--D"},
+        {{"--attenuate-ambient=on"}, "--attenuate-ambient"},
+        {{"--phong-gate=off", "--shading=blinn-phong"}, "--phong-gate"},
+        {{"--gooch=as-printed"}, "--gooch"},
+        {{"--clamp=after"}, "--clamp"},
+        {{"--env-clamp=1"}, "--env-clamp"},
+        {{"--eta=2", "--F=one"}, "--eta"},
+        {{"--blinn-power=inverse-roughness"}, "--blinn-power"},
+        {{"--spot=exponent"}, "--spot"},
+        {{"--material=silver", "--shading=none", "--env=finish"}, "--material"},
+        {{"--D=beckmann", "--s=0"}, "--D"},
+    };
+    for (const auto& [options, named] : rows) EXPECT_EQ(notes(options), idle(named)) << named;
+}
+
+TEST_F(ChoicesWithoutEffect, AreNotThoseThatSomeSurfaceOrLampReads) {
+    state("", shiny_finish);
+    const std::vector<std::string> rows[] = {
+        {"--edges=all", "--edge-width=2", "--edge-color=1", "--edge-angle=20"},
+        {"--edge-width=2", "--edges=silhouette"},
+        {"--D=ggx", "--G=ggx", "--F=conductor", "--eta=0.2", "--k=3", "--alpha=0.3", "--alpha-floor=0.1", "--s=0.4"},
+        {"--fresnel-arg=nv", "--half=nv", "--norm=ct1982", "--units=physical", "--dw=2", "--denominator=clamped", "--raw=on"},
+        {"--attenuate-ambient=on", "--ambient=per-light"},
+        {"--shading=phong", "--phong-gate=off", "--exponent=9", "--clamp=after"},
+        {"--shading=blinn-phong", "--exponent=9"},
+        {"--diffuse=gooch", "--gooch=as-printed"},
+        {"--diffuse=oren-nayar", "--sigma=0.4"},
+        {"--env=mirror", "--env-clamp=1"},
+        {"--D=blinn", "--blinn-power=inverse-roughness"},
+        {"--att=inverse-square", "--range=9"},
+        {"--att-coefficients=1,0,1"},
+        {"--s=0"},
+        {"--preset=effects"},
+        {"--preset=phong-lights", "--material=shiny-gold"},
+        {"--shading=none", "--env=albedo", "--D=beckmann"},
+        {"--shading=none", "--env=fresnel", "--f0=0.5"},
+        {"--distances=povray", "--precision=fast"},
+    };
+    for (const std::vector<std::string>& options : rows) EXPECT_EQ(notes(options), "") << options[0];
+    state("", shiny_finish, "light_source { <2, 3, -4> rgb 1 spotlight point_at 0 }");
+    EXPECT_EQ(notes({"--spot=exponent", "--clamp=after"}), "");
+    EXPECT_EQ(notes({"--clamp=after"}), idle("--clamp")) << "the cone of POV-Ray has no such power";
+    state("", shiny_finish, "light_source { <2, 3, -4> rgb 1 parallel point_at 0 }");
+    EXPECT_EQ(notes({"--att=inverse-square", "--range=9"}), idle("--att, --range")) << "a parallel lamp has no distance";
+}
+
+TEST_F(ChoicesWithoutEffect, OfTheFileAreNamedAsTheyStand) {
+    state("exponent=40 D=beckmann sigma=0.2 sigma=0.3", shiny_finish);
+    EXPECT_EQ(notes({}), idle("exponent=40, sigma=0.3"));
+    EXPECT_EQ(notes({"--gooch=warm"}), idle("--gooch, exponent=40, sigma=0.3"));
+    EXPECT_EQ(notes({"-q"}), "");
+}
+
+TEST_F(ChoicesWithoutEffect, AFinishMayGiveThemOne) {
+    state("sigma=0.3", std::string(shiny_finish) + "\n//! raytrace: diffuse=oren-nayar exponent=40");
+    EXPECT_EQ(notes({}), "") << "what a finish states is not named";
+    state("", "specular 0");
+    EXPECT_EQ(notes({"--D=beckmann"}), idle("--D")) << "no finish has a highlight";
+}
+
+TEST_F(ChoicesWithoutEffect, AreAllUnderPovRaysShading) {
+    state("exponent=40 distances=scaled", shiny_finish);
+    EXPECT_EQ(notes({"--shading=povray", "--D=beckmann", "--preset=classic"}), idle("--preset, --D, exponent=40"));
 }
 
 }  // namespace
