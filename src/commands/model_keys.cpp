@@ -141,8 +141,9 @@ bool reads_fresnel(const Shading& x) { return reads_lobe(x) || has_env(x, Surrou
 bool reads_interface(const Shading& x) {
     return (reads_fresnel(x) && x.model.terms.F != Fresnel::one) || has_env(x, Surroundings::ct_effects);
 }
-/// An exponent that nobody states follows from alpha.
-bool reads_alpha(const Shading& x) { return reads_lobe(x) || has_exponent(x) || has_env(x, Surroundings::ct_effects); }
+bool reads_width(const Shading& x) { return reads_lobe(x) || has_env(x, Surroundings::ct_effects); }
+/// An exponent that nobody states follows from a stated alpha, whatever the least width.
+bool reads_alpha(const Shading& x) { return reads_width(x) || has_exponent(x); }
 bool reads_dw(const Shading& x) { return is_microfacet(x) || has_env(x, Surroundings::ct_effects); }
 bool reads_blinn_power(const Shading& x) {
     return reads_lobe(x) && (x.model.terms.D == Distribution::blinn || x.model.terms.D == Distribution::blinn_inverse_roughness);
@@ -182,7 +183,7 @@ constexpr std::array keys{
     Key{{"alpha", "NAME", "roughness2 (default), povray, direct or a number"}, choose_alpha, reads_alpha},
     Key{{"alpha-floor", "X", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.alpha_floor = number(key, v, 0.0, 1e6); },
-        reads_alpha},
+        reads_width},
     Key{{"env", "NAME", ""},
         [](ModelChoice& c, std::string_view key, std::string_view v) { c.model.env = named(surroundings_names, key, v); },
         always},
