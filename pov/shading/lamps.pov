@@ -3,7 +3,7 @@
 //     --define Lamp=NAME   parallel, point, spot or all (default)
 //     --define Power=X     exponent of the spot, 24
 #version 3.7;
-//! raytrace: preset=phong-lights spot=exponent
+//! raytrace: preset=phong-lights
 global_settings { assumed_gamma 1 }
 #include "vases.inc"
 
@@ -16,7 +16,11 @@ camera { location <0, 2.3, -7> look_at <0, 1.25, 0> right x*4/3 angle 44 }
 
 #if (All | strcmp(Lamp, "parallel") = 0) #declare Known = 1; light_source { <-60, 80, -50>, rgb <1, 0.95, 0.86>*(1 - 0.7*All) parallel point_at 0 } #end
 #if (All | strcmp(Lamp, "point") = 0) #declare Known = 1; light_source { <0.15, 1.2, -1.7>, rgb 5.5*<1, 0.62, 0.32>*(1 - 0.2*All) } #end
-#if (All | strcmp(Lamp, "spot") = 0) #declare Known = 1; light_source { <2.6, 4.6, -2.6>, rgb 60*<0.5, 0.72, 1> spotlight point_at <0.9, 0.7, 0.3> radius 30 falloff 60 tightness Power } #end
+#if (All | strcmp(Lamp, "spot") = 0)
+    #declare Known = 1;
+    //! raytrace: spot=exponent
+    light_source { <2.6, 4.6, -2.6>, rgb 60*<0.5, 0.72, 1> spotlight point_at <0.9, 0.7, 0.3> radius 30 falloff 60 tightness Power }
+#end
 #if (!Known) #error "Lamp: parallel, point, spot or all" #end
 
 #declare Clay = finish { ambient 0.05 diffuse 0.75 specular 0.35 roughness 0.2 }

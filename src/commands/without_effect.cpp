@@ -14,6 +14,7 @@ namespace {
 /// What stands in the file or on the command line.
 struct Statement {
     std::string key, text;
+    bool in_file = false;
 };
 
 void state(std::vector<Statement>& statements, Statement statement) {
@@ -24,9 +25,9 @@ void state(std::vector<Statement>& statements, Statement statement) {
 
 std::vector<Statement> statements_of(const RenderJob& job, const Scene& scene) {
     std::vector<Statement> in_file, options;
-    for (const SceneOption& option : scene.options) state(in_file, {option.key, fmt::format("{}={}", option.key, option.value)});
+    for (const SceneOption& option : scene.options) state(in_file, {option.key, fmt::format("{}={}", option.key, option.value), true});
     for (const std::vector<ModelOption>* stated : {&job.model, &job.edge_options})
-        for (const ModelOption& option : *stated) state(options, {option.key, "--" + option.key});
+        for (const ModelOption& option : *stated) state(options, {option.key, "--" + option.key, false});
     options.insert(options.end(), in_file.begin(), in_file.end());
     return options;
 }
@@ -43,12 +44,22 @@ bool is_read_by_edges(std::string_view key, const EdgeOptions& edges) {
     return key == "edges" || edges.kind != EdgeOptions::Kind::off;
 }
 
+/// The lines as the file has them.
+EdgeOptions edges_of(const Scene& scene) {
+    EdgeOptions edges;
+    for (const SceneOption& option : scene.options)
+        if (is_edge_key(option.key)) choose_edges(edges, option.key, option.value);
+    return edges;
+}
+
 }  // namespace
 
 std::string note_on_choices_without_effect(const RenderJob& job, const Scene& scene, const World& world) {
     const LampRules lamps = choice_for(scene, {}, job.model).lamps;
-    const auto has_effect = [&](const std::string& key) {
-        if (is_edge_key(key)) return is_read_by_edges(key, job.edges);
+    const auto has_effect = [&](const Statement& statement) {
+        const std::string& key = statement.key;
+        // Whoever turns a file's lines off knows that their width goes with them.
+        if (is_edge_key(key)) return is_read_by_edges(key, statement.in_file ? edges_of(scene) : job.edges);
         // The shading was chosen between all of them; the other keys are of the whole picture.
         if (!is_model_key(key) || key == "shading") return true;
         if (*job.shading == ShadingModel::povray) return false;
@@ -58,7 +69,7 @@ std::string note_on_choices_without_effect(const RenderJob& job, const Scene& sc
     };
     std::vector<std::string> idle;
     for (const Statement& statement : statements_of(job, scene))
-        if (!has_effect(statement.key)) idle.push_back(statement.text);
+        if (!has_effect(statement)) idle.push_back(statement.text);
     if (idle.empty()) return "";
     return fmt::format("no effect here: {} (nothing in the picture depends on {})", fmt::join(idle, ", "),
                        idle.size() == 1 ? "it" : "them");

@@ -183,6 +183,14 @@ TEST_F(ChoicesWithoutEffect, OfTheFileAreNamedAsTheyStand) {
     EXPECT_EQ(notes({"-q"}), "");
 }
 
+TEST_F(ChoicesWithoutEffect, LinesThatTheCommandLineTurnsOffAreNoNews) {
+    state("edges=all edge-width=2", shiny_finish);
+    EXPECT_EQ(notes({"--edges=off"}), "");
+    EXPECT_EQ(notes({"--edges=off", "--edge-color=1"}), idle("--edge-color"));
+    state("edges=silhouette edge-angle=20", shiny_finish);
+    EXPECT_EQ(notes({}), idle("edge-angle=20"));
+}
+
 TEST_F(ChoicesWithoutEffect, AFinishMayGiveThemOne) {
     state("sigma=0.3", std::string(shiny_finish) + "\n//! raytrace: diffuse=oren-nayar exponent=40");
     EXPECT_EQ(notes({}), "") << "what a finish states is not named";
