@@ -16,8 +16,8 @@ struct SceneChoices {
 };
 
 /// What `scene` and the files it includes choose for the whole picture; the last statement of a key counts. The choices from the shading
-/// catalogue, of the files and of every finish, in use or not, are checked as well. Throws SceneError, with the place, for a value that does not
-/// exist or a choice that a finish cannot make.
+/// catalogue, of the files and of every finish, in use or not, are checked as well. Throws SceneError, with the place, for a value that
+/// does not exist or a choice that a finish cannot make.
 SceneChoices choices_of(const Scene& scene);
 
 /// Fills what the command line left open in `job` from the scene's own choices. Throws as choices_of() does.
