@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/source.h"
@@ -42,7 +43,7 @@ void apply_in_order(std::span<const Option> level, const Apply& apply) {
         if (option.key != "preset" && option.key != "material" && option.key != "shading") apply(option);
 }
 
-void apply_scene(const Scene& scene, ModelChoice& choice, std::span<const SceneOption> level) {
+void apply_level(const Scene& scene, ModelChoice& choice, std::span<const SceneOption> level) {
     const auto refuse = [&](const SceneOption& option, std::string_view text) {
         throw SceneError(scene.sources.describe(option.span, "Parse Error", text));
     };
@@ -55,6 +56,16 @@ void apply_scene(const Scene& scene, ModelChoice& choice, std::span<const SceneO
         }
     });
     refuse_contradictions(level, refuse);
+}
+
+/// What a finish states is a level above what it inherited from a declared one.
+void apply_scene(const Scene& scene, ModelChoice& choice, std::span<const SceneOption> options) {
+    while (!options.empty()) {
+        const auto next = std::find_if(options.begin(), options.end(), [&](const SceneOption& o) { return o.level != options[0].level; });
+        const auto count = static_cast<std::size_t>(next - options.begin());
+        apply_level(scene, choice, options.first(count));
+        options = options.subspan(count);
+    }
 }
 
 /// "D  ggx (S1), beckmann (S0 S1 S4), ..." on lines of at most 79 columns.

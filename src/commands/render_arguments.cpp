@@ -130,6 +130,8 @@ void define_shading(CommandLine& line, RenderJob& job) {
         line.value("--" + name, std::string(key.values), help, [&job, name](const std::string& v) {
             const bool povray = name == "shading" && v == "povray";
             if (name == "shading") job.shading = povray ? ShadingModel::povray : ShadingModel::general;
+            // A preset is a shading, too; a scene's own does not undo it.
+            if (name == "preset" && !job.shading) job.shading = ShadingModel::general;
             if (povray) return;
             ModelChoice scratch;
             choose(scratch, name, v);

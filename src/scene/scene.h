@@ -44,6 +44,7 @@ struct SceneOption {
     std::string key;
     std::string value;
     Span span;
+    int level = 0;  ///< above that of the choices which the block inherited from another one
     bool operator==(const SceneOption&) const = default;
 };
 

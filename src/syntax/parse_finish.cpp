@@ -149,12 +149,14 @@ Finish parse_finish(Reader& reader, Finish base) {
     reader.begin_block("finish");
     if (const Finish* declared = reader.accept_declared<Finish>()) base = *declared;
     const std::size_t inherited = base.options.size();
+    const int level = inherited == 0 ? 0 : base.options.back().level + 1;
     Albedos albedos;
     while (accept_choices(reader, base.options) || accept_light_item(reader, base, albedos) || accept_legacy_item(reader, base) ||
            accept_unmodelled_item(reader))
         continue;
     reader.end_block();
     scale_albedos(base, albedos);
+    for (std::size_t i = inherited; i < base.options.size(); ++i) base.options[i].level = level;
     if (base.options.size() > inherited) reader.scene().finish_options.push_back(base.options);
     return base;
 }

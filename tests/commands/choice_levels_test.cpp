@@ -214,5 +214,38 @@ TEST(ContradictoryChoices, InAFinish) {
     EXPECT_EQ(error_of("//! raytrace: eta=1.5\nsphere { 0, 1 finish {\n//! raytrace: f0=0.5\n} }\n"), "accepted") << "two levels";
 }
 
+/// A finish may replace what a declared one says; each block is a level of its own.
+TEST(ChoiceLevels, AFinishIsAboveTheOneItComesFrom) {
+    const test::Workplace here;
+    here.write("c.pov",
+               "#version 3.7;\n"
+               "#declare Gold = finish { specular 0.9\n//! raytrace: eta=0.2 k=3 D=beckmann alpha=0.2\n}\n"
+               "#declare Dull = finish { Gold\n//! raytrace: preset=modern alpha=0.4\n}\n"
+               "sphere { 0, 1 finish { Gold\n//! raytrace: f0=0.04\n} }\n"
+               "sphere { 3, 1 finish { Dull\n//! raytrace: alpha=0.5\n} }\n");
+    const Scene scene = parse_file("c.pov", {}, [](std::string_view) {});
+    const auto of = [&](std::size_t i) {
+        const auto& texture = std::get<PlainTexture>((*scene.objects[i].texture)->front().content);
+        return fill(choice_for(scene, texture.finish.options, {}), texture.finish, 1.5, AlphaMapping::roughness2);
+    };
+    EXPECT_EQ(of(0).interface[0].f0, 0.04);
+    EXPECT_EQ(of(0).interface[0].k, 0.0);
+    EXPECT_EQ(of(0).terms.D, Distribution::beckmann);
+    EXPECT_EQ(of(0).alpha, 0.2);
+    EXPECT_EQ(of(1).terms.D, Distribution::ggx) << "the preset stands above the term that was inherited";
+    EXPECT_EQ(of(1).interface[0].k, 3.0);
+    EXPECT_EQ(of(1).alpha, 0.5);
+    EXPECT_EQ(choices_of(scene).shading, std::nullopt);
+}
+
+TEST(ChoiceLevels, APresetOfTheCommandLineIsAShading) {
+    std::string help;
+    const auto shading = [&](const std::vector<std::string>& words) { return parse_render_arguments(words, help)->shading; };
+    EXPECT_EQ(shading({"a.pov", "--preset", "modern"}), ShadingModel::general);
+    EXPECT_EQ(shading({"a.pov", "--preset", "modern", "--shading", "povray"}), ShadingModel::povray);
+    EXPECT_EQ(shading({"a.pov", "--shading", "povray", "--preset", "modern"}), ShadingModel::povray);
+    EXPECT_EQ(shading({"a.pov", "--D", "ggx"}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace rt
