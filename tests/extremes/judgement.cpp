@@ -83,6 +83,8 @@ Wrong wrong(const Bytes& picture, const Bytes& truth) {
     return result;
 }
 
+bool right(const Judgement& judgement) { return wrong(judgement.ours, judgement.truth).pixels + judgement.ours.non_finite == 0; }
+
 std::vector<std::string> scenes() {
     std::vector<std::string> paths;
     for (const auto& entry : fs::directory_iterator(fs::path(PROJECT_ROOT) / "pov/extremes"))

@@ -36,6 +36,9 @@ struct Judgement {
     std::string png;                   ///< the program's file itself
 };
 
+/// No pixel of ours is wrong, and each is a number: one that is not is black in the file, which may be what the truth is.
+bool right(const Judgement& judgement);
+
 /// Scenes of pov/extremes, in order of their names: paths.
 std::vector<std::string> scenes();
 

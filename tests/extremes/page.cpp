@@ -106,9 +106,9 @@ the truth itself, blue one step, yellow to red more.</p>
     text += "<table><tr><th>scene<th>textbook, single<th>textbook, double<th>ours<th>ours, largest step</tr>\n";
     for (const Judgement& j : judgements) {
         const Wrong ours = wrong(j.ours, j.truth);
-        text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}<td{5}>{3}<td>{4}</tr>\n", j.name,
-                            counts(j.naive_single, j.truth), counts(j.naive_double, j.truth), counts(j.ours, j.truth), ours.steps,
-                            ours.pixels + j.ours.non_finite > 0 ? " class=\"bad\"" : "");
+        text +=
+            fmt::format("<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}<td{5}>{3}<td>{4}</tr>\n", j.name, counts(j.naive_single, j.truth),
+                        counts(j.naive_double, j.truth), counts(j.ours, j.truth), ours.steps, right(j) ? "" : " class=\"bad\"");
     }
     text += "</table>\n";
     for (const Judgement& j : judgements) text += section(j);

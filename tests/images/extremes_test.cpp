@@ -32,6 +32,16 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Extremes, testing::ValuesIn(rt::extremes::scenes()), name_of);
 
+TEST(Extremes, APixelThatIsNoNumberIsNotRightThoughItIsBlackAsTheTruth) {
+    Judgement judgement;
+    judgement.ours = judgement.truth = {1, 1, {0, 0, 0}, 0};
+    EXPECT_TRUE(rt::extremes::right(judgement));
+    judgement.ours.non_finite = 1;
+    EXPECT_FALSE(rt::extremes::right(judgement));
+    judgement.ours = {1, 1, {0, 2, 0}, 0};
+    EXPECT_FALSE(rt::extremes::right(judgement));
+}
+
 /// What these scenes ask is not easy, and the comparison can fail: textbook formulas in single precision do.
 TEST(Extremes, TextbookFormulasInSinglePrecisionFail) {
     for (const std::string name : {"lobe_ggx", "graze_both_ggx_cook-torrance", "index_0.5", "glass_1e6"}) {
