@@ -11,6 +11,9 @@ h1 { font-weight: 600; margin-bottom: 0; }
 h2 { margin: 3rem 0 0; font-weight: 600; border-top: 2px solid #b9b4a8; padding-top: 0.6rem; }
 .source { color: #7a5c1e; margin: 0; }
 .text { max-width: 62rem; }
+.texts { display: grid; grid-template-columns: auto 1fr; gap: 0 1rem; }
+.texts dt { font-weight: 600; }
+.texts dd { margin: 0; }
 nav a { margin-right: 1.2rem; }
 .flow { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-start; }
 .table { display: grid; gap: 0.8rem 0.6rem; justify-content: start; }
@@ -42,15 +45,17 @@ def body_of(section, shots):
                 (section.name, width, height, html.escape(section.title), figures))
     if section.columns:
         heads = "".join('<b class="head">%s</b>' % head for head in section.heads)
-        return '<div class="table" style="grid-template-columns: repeat(%d, auto)">%s%s</div>' % (section.columns, heads, figures)
+        return '<div class="table" style="grid-template-columns: repeat(%d, minmax(0, auto))">%s%s</div>' % (section.columns, heads, figures)
     return '<div class="flow">%s</div>' % figures
 
 
-def page(title, introduction, sections):
-    """`sections` are pairs of a section and its pictures as taken: name, scene, size, caption, command, seconds."""
+def page(title, introduction, texts, sections):
+    """`texts` explains names that the page uses; `sections` are pairs of a section and its pictures as taken: name, scene, size, caption, command, seconds."""
     links = " ".join('<a href="#%s">%s</a>' % (section.name, section.title) for section, _ in sections)
     parts = ["<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8"><title>%s</title><style>%s</style></head><body>' % (title, STYLE),
-             "<h1>%s</h1><p class=\"text\">%s</p><nav>%s</nav>" % (title, introduction, links)]
+             "<h1>%s</h1><p class=\"text\">%s</p>" % (title, introduction),
+             '<dl class="texts">%s</dl>' % "".join("<dt>%s</dt><dd>%s</dd>" % (name, html.escape(text, quote=False)) for name, text in texts.items()),
+             "<nav>%s</nav>" % links]
     for section, shots in sections:
         parts.append('<h2 id="%s">%s</h2><p class="source">%s</p><p class="text">%s</p>' % (section.name, section.title, section.source, section.text))
         parts.append(body_of(section, shots))
