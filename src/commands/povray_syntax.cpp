@@ -20,6 +20,7 @@ namespace {
 
 constexpr int max_ini_files = 64;
 constexpr std::uintmax_t max_ini_bytes = 1 << 20;
+constexpr std::size_t most_shown = 400;  ///< of a message: a line of a file that is no text may be long
 
 /// "Name=value": a key is letters, digits and underscores and begins with a letter.
 bool is_setting(std::string_view word) {
@@ -246,7 +247,8 @@ void Translator::ini_lines(std::istream& in, const std::string& name, const std:
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
-        const std::string_view text = trimmed(line);
+        std::replace(line.begin(), line.end(), '\0', '\x01');  // no text has either, but a message would end at the one
+        const std::string_view text = trimmed(number == 1 ? without_byte_order_mark(line) : line);
         if (text.starts_with('[') && text.ends_with(']')) {
             active = !wanted.empty() && lower_case(text.substr(1, text.size() - 2)) == wanted;
             found = found || active;
@@ -258,7 +260,7 @@ void Translator::ini_lines(std::istream& in, const std::string& name, const std:
         } catch (const OptionError& error) {
             if (placed_) throw;  // an included file knows its line better
             placed_ = true;
-            throw OptionError(fmt::format("File '{}' line {}: {}", name, number, error.what()));
+            throw OptionError(fmt::format("File '{}' line {}: {}", name, number, printable(error.what(), most_shown)));
         }
     }
     if (!found) throw OptionError(fmt::format("INI file '{}' has no section [{}]", name, wanted));

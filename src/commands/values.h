@@ -18,6 +18,10 @@ Rgb one_or_three(std::string_view what, std::string_view text, double least, dou
 /// on, true, yes, 1, y, t or off, false, no, 0, n, f; case ignored. An empty text means on.
 bool on_or_off(std::string_view what, std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
+/// What a message shows of a text that may hold anything: control bytes as '?', cut with "..." behind `most` bytes.
+std::string printable(std::string_view text, std::size_t most);
+/// Without the three bytes by which some editors mark a file as UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
 std::string lower_case(std::string_view text);
 /// Without blanks around it.
 std::string_view trimmed(std::string_view text);

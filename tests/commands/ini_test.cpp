@@ -122,6 +122,29 @@ TEST(Ini, ScenesOptionsAndCommentsNeedNoEqualsSign) {
     EXPECT_EQ(translate({"b.ini"}).words, (Words{"--define", "a=1", "--ss=2"}));
 }
 
+TEST(Ini, AByteOrderMarkIsNoPartOfTheFirstLine) {
+    const test::Workplace here;
+    const std::string mark = "\xEF\xBB\xBF";
+    here.write("a.ini", mark + "Width=1\n[small]\nWidth=2\n");
+    here.write("b.ini", mark + "[small]\nWidth=2\n");
+    here.write("c.ini", "Width=1\n" + mark + "Width=2\n");
+    EXPECT_EQ(translate({"a.ini"}).words, (Words{"--width=1"}));
+    EXPECT_EQ(translate({"b.ini[small]"}).words, (Words{"--width=2"}));
+    EXPECT_TRUE(error_of({"c.ini"}).starts_with("File 'c.ini' line 2: unknown setting"));
+}
+
+TEST(Ini, MessagesOfFilesThatAreNoTextAreFitToPrint) {
+    const test::Workplace here;
+    here.write("a.ini", std::string("\x7f"
+                                    "ELF\x02\x1b[31m\0\0z\n",
+                                    13));
+    EXPECT_EQ(error_of({"a.ini"}), "File 'a.ini' line 1: expected Name=value, a switch (+W640) or a scene (NAME.pov), not '?ELF??[31m??z'");
+    here.write("b.ini", "Wid\x1bth=" + std::string(1000, 'x'));
+    EXPECT_EQ(error_of({"b.ini"}), "File 'b.ini' line 1: unknown setting 'Wid?th'; did you mean 'Width'?");
+    here.write("c.ini", std::string(1000, 'y'));
+    EXPECT_LT(error_of({"c.ini"}).size(), 500u);
+}
+
 TEST(Ini, AFolderIsNoIniFile) {
     const test::Workplace here;
     EXPECT_EQ(error_of({"/tmp/.ini"}), "cannot open INI file '/tmp/.ini'");
