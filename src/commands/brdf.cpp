@@ -1,8 +1,7 @@
-// raytrace brdf: the shading functions on tables of inputs, and their values against known ones.
+// raytrace brdf: the shading functions on tables of inputs, and their integrals.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "commands/brdf_rows.h"
@@ -20,8 +19,14 @@ namespace rt {
 namespace {
 
 /// Copies the table with a column got_X behind each row for every X that the kind has.
-int evaluate(const BrdfKind& kind) {
+int evaluate(const std::string& name) {
+    const BrdfKind* found = find_brdf_kind(name);
+    if (!found) throw OptionError(fmt::format("brdf eval: no table '{}'; expected one of {}", name, brdf_kind_names()));
+    const BrdfKind& kind = *found;
     const BrdfTable table("standard input", read_table_text("-"));
+    for (const std::string_view cell : table.header().cells)
+        if (cell.starts_with("got_") && std::find(kind.columns.begin(), kind.columns.end(), cell.substr(4)) != kind.columns.end())
+            table.fail(table.header(), fmt::format("column '{}' is there already: take an earlier evaluation's columns out first", cell));
     std::string out;
     for (const BrdfTable::Line& line : table.lines()) {
         out += line.text;
@@ -33,64 +38,6 @@ int evaluate(const BrdfKind& kind) {
     }
     write_stdout(out);
     return 0;
-}
-
-/// What became of one judged column.
-struct Judgement {
-    std::size_t rows = 0, beyond = 0;
-    double largest = 0.0;  ///< error as a fraction of the tolerance
-    std::string largest_id, complaints;
-
-    void add(const BrdfRow& row, const JudgedColumn& judged, double got);
-};
-
-double fraction_of_tolerance(double want, double got, double tolerance) {
-    if (want == got || (std::isnan(want) && std::isnan(got))) return 0.0;
-    const double fraction = std::fabs(got - want) / tolerance;
-    return std::isnan(fraction) ? HUGE_VAL : fraction;
-}
-
-void Judgement::add(const BrdfRow& row, const JudgedColumn& judged, double got) {
-    const double want = row.number(judged.column);
-    const double fraction = fraction_of_tolerance(want, got, judged.tolerance(row, want));
-    ++rows;
-    if (fraction > largest || rows == 1) {
-        largest = fraction;
-        largest_id = row.text("id");
-    }
-    if (fraction <= 1.0) return;
-    ++beyond;
-    complaints +=
-        fmt::format("  beyond: id {} {} wanted {:.17g} got {:.17g} fraction {:.3g}\n", row.text("id"), judged.column, want, got, fraction);
-}
-
-/// Prints the verdict on one file; true if no row is beyond its tolerance.
-bool check(const std::string& path) {
-    const std::string file = path.substr(path.rfind('/') + 1);
-    const BrdfKind& kind = brdf_kind(file.ends_with(".csv") ? file.substr(0, file.size() - 4) : file);
-    const BrdfTable table(path, read_table_text(path));
-    for (const JudgedColumn& judged : kind.judged) table.column(judged.column);
-    std::vector<Judgement> judgements(kind.judged.size());
-    for (const BrdfTable::Line& line : table.lines()) {
-        if (line.kind != BrdfTable::Line::Kind::row) continue;
-        const BrdfRow row(table, line);
-        const std::vector<double> values = kind.evaluate(row);
-        for (std::size_t i = 0; i < judgements.size(); ++i) {
-            const auto place = std::find(kind.columns.begin(), kind.columns.end(), kind.judged[i].column) - kind.columns.begin();
-            judgements[i].add(row, kind.judged[i], values[static_cast<std::size_t>(place)]);
-        }
-    }
-    std::string out = path + "\n";
-    bool good = true;
-    for (std::size_t i = 0; i < judgements.size(); ++i) {
-        const Judgement& j = judgements[i];
-        out += fmt::format("  {:<15}{:>7} rows  largest {:.3g} at id {}  beyond {}\n", kind.judged[i].column, j.rows, j.largest,
-                           j.rows ? j.largest_id : "-", j.beyond);
-        good = good && j.beyond == 0;
-    }
-    for (const Judgement& j : judgements) out += j.complaints;
-    write_stdout(out);
-    return good;
 }
 
 /// What the integrals are asked for; an unset term means all of its kind.
@@ -170,14 +117,9 @@ int run_brdf(const Words& words) {
         throw OptionError("brdf: --D and --alpha are for normalization and albedo, --G for albedo");
     if (action == "eval") {
         if (rest.size() != 2) throw OptionError("brdf eval: expected one table's name; see raytrace brdf --help");
-        return evaluate(brdf_kind(rest[1]));
+        return evaluate(rest[1]);
     }
-    if (action == "check") {
-        if (rest.size() < 2) throw OptionError("brdf check: expected a file; see raytrace brdf --help");
-        bool good = true;
-        for (std::size_t i = 1; i < rest.size(); ++i) good = check(rest[i]) && good;
-        return good ? 0 : 1;
-    }
+    if (action == "check") return run_brdf_check({rest.begin() + 1, rest.end()});
     if (action == "normalization" && rest.size() == 1) return print_normalization(request);
     if (action == "albedo" && rest.size() == 1) return print_albedo(request);
     throw OptionError(fmt::format("brdf: expected 'eval', 'check', 'normalization', 'albedo' or 'plot'{}; see raytrace brdf --help",

@@ -68,10 +68,10 @@ std::vector<double> brdf_general_row(const BrdfRow& row) {
                                 .G = named(masking_names, row, "Gname", "G"),
                                 .F = named(fresnel_names, row, "Fname", "F"),
                                 .without_cosine = true};
-    const double alpha = sqr(row.number("roughness")), s = row.number("s"), ka = row.number("ka");
-    const Interface x = interface_of(row.number("ior"), row.number("k"));
+    const double alpha = sqr(row.number("roughness", domain::not_negative)), s = row.number("s", domain::share), ka = row.number("ka");
+    const Interface x = interface_of(row.number("ior", domain::positive), row.number("k", domain::not_negative));
     const Diffuse diffuse = named(diffuse_names, row, "diffuse", "diffuse term");
-    const double kd = row.number("kd"), sigma = row.number("sigma"), lc = row.number("lc");
+    const double kd = row.number("kd"), sigma = row.number("sigma", domain::not_negative), lc = row.number("lc");
     if (!at.lit) return {0.0, 0.0, 0.0, 0.0, 0.0, ka};
     const HalfGeometry& g = at.g;
     const double rd = kd * diffuse_factor(diffuse, sigma, at, row);
@@ -79,7 +79,7 @@ std::vector<double> brdf_general_row(const BrdfRow& row) {
     with_cosine.without_cosine = false;
     const double lobe = reflected(with_cosine, x, g, alpha);
     return {D(terms.D, g.cos2_h, g.sin2_h, alpha),
-            G(terms.G, g, alpha),
+            G(terms.G, g, std::min(alpha, greatest_alpha)),
             reflectance(terms, x, g),
             rd,
             reflected(terms, x, g, alpha),
@@ -88,8 +88,9 @@ std::vector<double> brdf_general_row(const BrdfRow& row) {
 
 std::vector<double> brdf_effects_row(const BrdfRow& row) {
     const Directions at(row);
-    const double m = row.number("m"), f0 = row.number("F0"), ks = row.number("ks"), dw = row.number("dw");
-    const double il = row.number("il"), kd = row.number("kd"), dc = row.number("dc"), power = row.number("power");
+    const double m = row.number("m", domain::not_negative), f0 = row.number("F0", domain::share), ks = row.number("ks"),
+                 dw = row.number("dw", domain::not_negative);
+    const double il = row.number("il"), kd = row.number("kd"), dc = row.number("dc"), power = row.number("power", domain::not_negative);
     const double ambient = row.number("ka") * dc, n_dot_v = at.incline_v.cos;
     const Interface x{.f0 = f0};
     const double c = std::min(1.0, n_dot_v);
@@ -111,9 +112,9 @@ std::vector<double> brdf_gooch_row(const BrdfRow& row) {
     const Directions at(row);
     const MicrofacetTerms terms{
         .D = named(distribution_names, row, "Dname", "D"), .G = Masking::cook_torrance, .F = Fresnel::schlick, .without_cosine = true};
-    const double alpha = sqr(row.number("roughness")), n_dot_l = dot(at.n, at.l);
+    const double alpha = sqr(row.number("roughness", domain::not_negative)), n_dot_l = dot(at.n, at.l);
     const double cool = row.number("kcool"), warm = row.number("kwarm");
-    const Interface x = interface_of(row.number("ior"));
+    const Interface x = interface_of(row.number("ior", domain::positive));
     std::vector<double> values{0.0, 0.0, gooch(n_dot_l, warm, cool), gooch(n_dot_l, cool, warm)};
     if (!at.lit) return values;
     HalfGeometry literal = at.g;
@@ -131,9 +132,9 @@ std::vector<double> brdf_phong_row(const BrdfRow& row) {
     const Vec3 n = row.vector("n"), p = row.vector("p"), lamp = row.vector("lp"), axis = row.vector("sd");
     const Vec3 to_lamp = parallel ? -lamp : lamp - p;
     const Vec3 l = direction(to_lamp), v = direction(row.vector("e") - p);
-    const double distance = parallel ? 0.0 : safe_length(to_lamp), exponent = row.number("shininess");
-    const double q = row.number("spot_exp");
-    const AttenuationLaw law{.kind = parallel ? Attenuation::none : Attenuation::one_d_d2, .range = row.number("range")};
+    const double distance = parallel ? 0.0 : safe_length(to_lamp), exponent = row.number("shininess", domain::not_negative);
+    const double q = row.number("spot_exp", domain::not_negative);
+    const AttenuationLaw law{.kind = parallel ? Attenuation::none : Attenuation::one_d_d2, .range = row.number("range", domain::distance)};
     const double La = row.number("Ma") * row.number("Ca");
     const double n_dot_l = dot(n, l), Ld = std::max(n_dot_l, 0.0) * row.number("Md") * row.number("Cd");
     const double color = row.number("Ms") * row.number("Cs");
@@ -146,14 +147,14 @@ std::vector<double> brdf_phong_row(const BrdfRow& row) {
 
 std::vector<double> brdf_lecture_row(const BrdfRow& row) {
     const Directions at(row);
-    const double m = row.number("m"), ka = row.number("ka"), ks = row.number("ks"), rho = row.number("rho");
+    const double m = row.number("m", domain::not_negative), ka = row.number("ka"), ks = row.number("ks"), rho = row.number("rho");
     const double ambient = row.number("Ia") * ka, light = row.number("Ii");
-    const Interface x{.eta = row.number("ratio")};
+    const Interface x{.eta = row.number("ratio", domain::positive)};
     if (!at.lit) return {0.0, 0.0, 0.0, 0.0, ambient};
     const MicrofacetTerms terms = lecture_terms();
     const double spec = reflected(terms, x, at.g, m);
-    return {0.25 * pi * D(terms.D, at.g.cos2_h, at.g.sin2_h, m), G(terms.G, at.g, m), reflectance(terms, x, at.g), spec,
-            std::fma(light, lecture_diffuse(ka, ks) * rho * at.g.l.cos + ks * spec, ambient)};
+    return {0.25 * pi * D(terms.D, at.g.cos2_h, at.g.sin2_h, m), G(terms.G, at.g, std::min(m, greatest_alpha)), reflectance(terms, x, at.g),
+            spec, std::fma(light, lecture_diffuse(ka, ks) * rho * at.g.l.cos + ks * spec, ambient)};
 }
 
 }  // namespace rt

@@ -4,9 +4,6 @@
 
 #include <cmath>
 
-#include "commands/suggest.h"
-#include "core/source.h"
-
 namespace rt {
 
 namespace {
@@ -22,15 +19,18 @@ Tolerance within(double units, double absolute) {
 
 /// The same with `base + slope times` what the row says in `column`.
 Tolerance within(double base, double slope, std::string_view column, double absolute) {
-    return [=](const BrdfRow& row, double want) { return half_ulp * (base + slope * row.number(column)) * std::fabs(want) + absolute; };
+    return [=](const BrdfRow& row, double want) {
+        return half_ulp * (base + slope * row.number(column, domain::not_negative)) * std::fabs(want) + absolute;
+    };
 }
 Tolerance by_condition(std::string_view column) { return within(32.0, 4.0, column, 1e-60); }
 
 /// D by its own conditioning: the logarithm of its value and the exponent's argument tan^2 / alpha^2.
 double tolerance_D(const BrdfRow& row, double want) {
     if (want == 0.0) return 1e-300;
-    const double nh = row.number("nh"), tan_over_alpha = std::sqrt((1.0 - nh) * (1.0 + nh)) / nh / row.number("alpha");
-    return half_ulp * (32.0 + 4.0 * std::fabs(std::log(want)) + 4.0 * tan_over_alpha * tan_over_alpha) * std::fabs(want) + 1e-300;
+    const double nh = row.number("nh", domain::cosine),
+                 tan_over_alpha = std::sqrt((1.0 - nh) * (1.0 + nh)) / nh / row.number("alpha", domain::not_negative);
+    return half_ulp * (32.0 + 4.0 * std::fabs(std::log(std::fabs(want))) + 4.0 * tan_over_alpha * tan_over_alpha) * std::fabs(want) + 1e-300;
 }
 
 /// F is singular where total reflection begins.
@@ -101,13 +101,16 @@ const std::vector<BrdfKind>& brdf_kinds() {
     return kinds;
 }
 
-const BrdfKind& brdf_kind(std::string_view name) {
-    std::string known;
-    for (const BrdfKind& kind : brdf_kinds()) {
-        if (kind.name == name) return kind;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", kind.name);
-    }
-    throw OptionError(fmt::format("brdf: no table '{}'; expected one of {}", name, known));
+const BrdfKind* find_brdf_kind(std::string_view name) {
+    for (const BrdfKind& kind : brdf_kinds())
+        if (kind.name == name) return &kind;
+    return nullptr;
+}
+
+std::string brdf_kind_names() {
+    std::string names;
+    for (const BrdfKind& kind : brdf_kinds()) names += fmt::format("{}{}", names.empty() ? "" : ", ", kind.name);
+    return names;
 }
 
 }  // namespace rt

@@ -24,10 +24,13 @@ struct BrdfKind {
 };
 
 const std::vector<BrdfKind>& brdf_kinds();
-/// The kind of that name, or throws OptionError with a list of them.
-const BrdfKind& brdf_kind(std::string_view name);
+/// The kind of that name, or nullptr.
+const BrdfKind* find_brdf_kind(std::string_view name);
+/// Separated by commas, for messages.
+std::string brdf_kind_names();
 
-// The evaluations, by the source of their formulas. Vectors are used as given, none is made a unit vector but seed3's l and v.
+// The evaluations, by the source of their formulas. A parameter outside of its domain is a mistake of the row. Vectors are used as given,
+// none is made a unit vector but seed3's l and v.
 std::vector<double> brdf_D_row(const BrdfRow& row);
 std::vector<double> brdf_G_row(const BrdfRow& row);
 std::vector<double> brdf_F_row(const BrdfRow& row);

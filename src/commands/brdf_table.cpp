@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "commands/suggest.h"
+#include "commands/values.h"
 #include "core/source.h"
 
 namespace rt {
@@ -24,19 +25,13 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// What a message shows of a cell: printable, and not too much of it.
-std::string shown(std::string_view cell) {
-    constexpr std::size_t most = 40;
-    std::string text(cell.substr(0, most));
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    return cell.size() > most ? text + "..." : text;
-}
+/// What a message shows of a cell.
+std::string shown(std::string_view cell) { return printable(cell, 40); }
 
 }  // namespace
 
 BrdfTable::BrdfTable(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
-    std::string_view rest = text_;
+    std::string_view rest = without_byte_order_mark(text_);
     for (std::size_t number = 1; !rest.empty(); ++number) {
         if (number > most_lines) throw LimitError(fmt::format("{}: more than {} lines", name_, most_lines));
         const std::size_t end = rest.find('\n');
@@ -85,7 +80,7 @@ void BrdfTable::fail(const Line& line, std::string_view text) const {
     throw OptionError(fmt::format("{}:{}: {}", name_, line.number, text));
 }
 
-double BrdfRow::number(std::string_view column) const {
+double BrdfRow::any_double(std::string_view column) const {
     const std::string cell(text(column));
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);  // from_chars would refuse what is beyond the range of doubles
@@ -93,9 +88,15 @@ double BrdfRow::number(std::string_view column) const {
     return value;
 }
 
+double BrdfRow::number(std::string_view column, const Domain& its) const {
+    const double value = any_double(column);
+    if (!its.holds(value)) fail(fmt::format("column '{}': expected {} instead of '{}'", column, its.words, shown(text(column))));
+    return value;
+}
+
 Vec3 BrdfRow::vector(std::string_view name) const {
     const std::string start(name);
-    return {number(start + "x"), number(start + "y"), number(start + "z")};
+    return {any_double(start + "x"), any_double(start + "y"), any_double(start + "z")};
 }
 
 std::string read_table_text(const std::string& path) {

@@ -15,6 +15,8 @@ int run_render(const Words& words);
 int run_requires(const Words& words);
 int run_compare(const Words& words);
 int run_brdf(const Words& words);
+/// [TABLE] FILE...
+int run_brdf_check(const Words& words);
 int run_brdf_plot(const Words& words);
 int run_help(const Words& words);
 int run_version(const Words& words);

@@ -23,18 +23,21 @@ const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
     "...";
 const char* const brdf_usage =
-    "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check FILE...\n       raytrace brdf normalization | albedo "
+    "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check [TABLE] FILE...\n       raytrace brdf normalization | "
+    "albedo "
     "[OPTION...]\n       raytrace brdf plot [OPTION...] > plot.svg; see raytrace brdf plot --help\nThe shading functions on tables: their "
     "values, and those against known ones.";
 const char* const brdf_footer =
     R"(eval appends a column got_X of 17 digits for each value X of the table; comment
 lines (#) and the cells of a row stay as they are, value columns may be missing.
 check judges a table's value columns: rows, largest error as a fraction of its
-tolerance, and every row beyond it. A file's name says which table it is.
+tolerance, and every row beyond it. A file's name says which table it is, or
+TABLE in front of the files does; - is standard input.
 
 Tables: contract general_r seed0_effectsbrowser seed2_gooch seed3_phong_lights
 seed4_lecture terms_D terms_F terms_G
-Exit status: 0, or 1 if a row is beyond its tolerance or a table has a mistake.)";
+Exit status: 0, or 1 if a row is beyond its tolerance or a table has a mistake;
+the other files are judged all the same.)";
 const char* const brdf_plot_usage =
     "Usage: raytrace brdf plot [OPTION...] > plot.svg\nThe lobe of the chosen terms as the viewer sees it, and curves of D, G and F.";
 const char* const brdf_plot_footer =

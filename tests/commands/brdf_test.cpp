@@ -56,6 +56,51 @@ TEST_F(Brdf, EvalAppendsColumnsAndKeepsEveryLine) {
               "8, y ,0.5,1e0,0.0,0,0,0.03125,0.5,0,0,0.03125\n");
 }
 
+TEST_F(Brdf, EvalTakesNoEvaluatedTable) {
+    const Outcome once = eval("terms_F", "# from\nc,ior,k\n1,3,0\n");
+    ASSERT_EQ(once.status, 0) << once.err;
+    const Outcome twice = eval("terms_F", once.out);
+    EXPECT_EQ(twice.status, 1);
+    EXPECT_EQ(twice.err, "raytrace: standard input:2: column 'got_F0' is there already: take an earlier evaluation's columns out first\n");
+    EXPECT_EQ(twice.out, "");
+    EXPECT_EQ(eval("terms_F", "c,ior,k,got_other\n1,3,0,5\n").status, 0);
+}
+
+TEST_F(Brdf, AByteOrderMarkIsNoPartOfTheTable) {
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(eval("terms_D", mark + "alpha,nh\n0.5,1\n").out, eval("terms_D", "alpha,nh\n0.5,1\n").out);
+    const Outcome comment = eval("terms_D", mark + "# x\nalpha,nh\n0.5,1\n");
+    EXPECT_EQ(comment.status, 0) << comment.err;
+    EXPECT_TRUE(comment.out.starts_with("# x\nalpha"));
+}
+
+TEST_F(Brdf, ParametersOutsideOfTheirDomainAreNamedWithTheirPlace) {
+    const auto fails = [&](const std::string& table, const std::string& text, const std::string& message) {
+        const Outcome outcome = eval(table, text);
+        EXPECT_EQ(outcome.status, 1) << text;
+        EXPECT_EQ(outcome.err, "raytrace: standard input:2: column " + message + "\n");
+        EXPECT_EQ(outcome.out, "");
+    };
+    const std::string from_0 = "': expected a finite number from 0 on instead of '",
+                      above_0 = "': expected a finite number above 0 instead of '", cosine = "': expected a cosine, -1 to 1 instead of '";
+    for (const std::string bad : {"nan", "-1", "inf", "-1e-300"}) {
+        fails("terms_D", "alpha,nh\n" + bad + ",1\n", "'alpha" + from_0 + bad + "'");
+        fails("terms_G", "alpha,nl,nv,nh,vh\n" + bad + ",1,1,1,1\n", "'alpha" + from_0 + bad + "'");
+        fails("terms_F", "c,ior,k\n1,1.5," + bad + "\n", "'k" + from_0 + bad + "'");
+        fails("terms_F", "c,ior,k\n1," + bad + ",0\n", "'ior" + above_0 + bad + "'");
+    }
+    fails("terms_F", "c,ior,k\n1,0,0\n", "'ior" + above_0 + "0'");
+    for (const std::string bad : {"nan", "2", "-1.0000000000000002", "inf"}) {
+        fails("terms_D", "alpha,nh\n1," + bad + "\n", "'nh" + cosine + bad + "'");
+        fails("terms_F", "c,ior,k\n" + bad + ",1.5,0\n", "'c" + cosine + bad + "'");
+        for (const std::string column : {"nl", "nv", "nh", "vh"}) {
+            std::string cells = "1";
+            for (const std::string name : {"nl", "nv", "nh", "vh"}) cells += "," + (name == column ? bad : "0.5");
+            fails("terms_G", "alpha,nl,nv,nh,vh\n" + cells + "\n", "'" + column + cosine + bad + "'");
+        }
+    }
+}
+
 TEST_F(Brdf, EvalKnowsTheTermsAtTheNormal) {
     const Outcome D = eval("terms_D", "alpha,nh\n0.5,1\n1,0.3\n");
     ASSERT_EQ(D.status, 0) << D.err;
@@ -110,13 +155,34 @@ TEST_F(Brdf, EvalKnowsTheFormsAtTheNormal) {
 }
 
 TEST_F(Brdf, EvalTakesTheExtremesOfNumbers) {
-    const std::string head = "alpha,nh\n";
-    const Outcome outcome = eval("terms_D", head + "2,4.9406564584124654e-324\n1e200,1\n0,1\n1,0\nnan,1\n");
+    const Outcome outcome = eval("terms_D", "alpha,nh\n2,4.9406564584124654e-324\n1e200,1\n0,1\n1,0\n");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_DOUBLE_EQ(values(outcome.out, 4, 2).at(0), 1.0 / pi);                 // alpha 1 has no exponent to take
-    for (const double value : values(outcome.out, 3, 2)) EXPECT_EQ(value, 0.0);  // the mirror ray's business
-    for (const double value : values(outcome.out, 2, 2)) EXPECT_EQ(value, 0.0);
-    for (const double value : values(outcome.out, 5, 2)) EXPECT_EQ(value, 0.0);
+    const std::vector<double> horizon = values(outcome.out, 1, 2);  // (n.h)^-1.5 is beyond doubles, GGX is alpha^2 / pi
+    EXPECT_EQ(horizon.at(0), HUGE_VAL);
+    EXPECT_EQ(horizon.at(1), 0.0);
+    EXPECT_DOUBLE_EQ(horizon.at(2), 4.0 / pi);
+    EXPECT_EQ(horizon.at(3), 0.0);
+    for (const std::size_t row : {2u, 3u}) {  // nothing is left of the one, the other is the mirror ray's business
+        ASSERT_EQ(values(outcome.out, row, 2).size(), 4u);
+        for (const double value : values(outcome.out, row, 2)) EXPECT_EQ(value, 0.0);
+    }
+    EXPECT_DOUBLE_EQ(values(outcome.out, 4, 2).at(0), 1.0 / pi);  // alpha 1 has no exponent to take
+    const Outcome masking = eval("terms_G", "alpha,nl,nv,nh,vh\n1e200,1,0.5,0.5,0.5\n1e200,0.5,1,0.5,0.5\n0,1,1,1,1\n");
+    ASSERT_EQ(masking.status, 0) << masking.err;
+    for (std::size_t row = 1; row <= 3; ++row) {
+        ASSERT_EQ(values(masking.out, row, 5).size(), 13u);
+        for (const double value : values(masking.out, row, 5)) EXPECT_TRUE(value >= 0.0 && value <= 1.0) << row << ": " << value;
+    }
+}
+
+/// What the contract is about: directions that are none.
+TEST_F(Brdf, DirectionsMayBeNone) {
+    const std::string head = "nx,ny,nz,lx,ly,lz,vx,vy,vz,roughness,ior,k,ka,kd,s,lc,sigma,Dname,Gname,Fname,diffuse\n";
+    const std::string rest = ",0.5,1.5,0,0.125,0.5,0.25,2,0,ggx,ggx,schlick,lambert\n";
+    const Outcome outcome =
+        eval("contract", head + "0,0,0,0,0,1,0,0,1" + rest + "0,0,1,nan,0,1,0,0,1" + rest + "0,0,1,0,0,1,0,inf,nan" + rest);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for (std::size_t row = 1; row <= 3; ++row) EXPECT_EQ(values(outcome.out, row, 21), (std::vector<double>{0, 0, 0, 0, 0, 0.125})) << row;
 }
 
 TEST_F(Brdf, CheckPassesAndFailsByTheTolerance) {
@@ -130,7 +196,7 @@ TEST_F(Brdf, CheckPassesAndFailsByTheTolerance) {
               "  F_dielectric         1 rows  largest 0.141 at id 0  beyond 0\n"
               "  F_conductor          1 rows  largest 0 at id 0  beyond 0\n");
     const Outcome bad = check("terms_F.csv", head +
-                                                 "0,x,1,3,0,0.25,0.25,0.25\n4,x,1,3,0,0.25,0.25000000000001,0.25\n5,x,1,3,0,0.25,nan,inf\n"
+                                                 "0,x,1,3,0,0.25,0.25,0.25\n4,x,1,3,0,0.25,0.25000000000001,0.25\n5,x,1,3,0,0.25,-inf,inf\n"
                                                  "6,critical,1,3,0,0.25,0.2500003,0.25\n");
     EXPECT_EQ(bad.status, 1);
     EXPECT_EQ(bad.err, "");
@@ -140,7 +206,7 @@ TEST_F(Brdf, CheckPassesAndFailsByTheTolerance) {
               "  F_dielectric         4 rows  largest inf at id 5  beyond 2\n"
               "  F_conductor          4 rows  largest inf at id 5  beyond 1\n"
               "  beyond: id 4 F_dielectric wanted 0.25000000000000999 got 0.25 fraction 1.41\n"
-              "  beyond: id 5 F_dielectric wanted nan got 0.25 fraction inf\n"
+              "  beyond: id 5 F_dielectric wanted -inf got 0.25 fraction inf\n"
               "  beyond: id 5 F_conductor wanted inf got 0.25 fraction inf\n");
     EXPECT_EQ(run({"brdf", "check", "terms_F.csv", "terms_F.csv"}).out, bad.out + bad.out);
 }
@@ -155,7 +221,8 @@ TEST_F(Brdf, MistakesInATableAreNamedWithTheirPlace) {
         EXPECT_EQ(outcome.out, "");
     };
     const std::string head = "id,class,alpha,nh,D_blinn,D_beckmann,D_ggx\n";
-    fails("terms_E.csv", head, "brdf: no table 'terms_E'; expected one of " + names);
+    fails("terms_E.csv", head, "terms_E.csv: the name is no table's; expected one of " + names + ", or one in front of the files");
+    fails("terms_D.csv", "# x\n" + head + "\n# y\n", "terms_D.csv: no rows");
     fails("terms_D.csv", "", "terms_D.csv: no header line with the names of the columns");
     fails("terms_D.csv", "# only this\n\n", "terms_D.csv: no header line with the names of the columns");
     fails("terms_D.csv", "# x\nid,class,alpha,nh,D_blin,D_beckmann,D_ggx\n", "terms_D.csv:2: no column 'D_blinn'; did you mean 'D_blin'?");
@@ -174,8 +241,35 @@ TEST_F(Brdf, MistakesInATableAreNamedWithTheirPlace) {
     EXPECT_EQ(light.status, 1);
     EXPECT_EQ(light.err, "raytrace: standard input:2: 'laser' is no light; expected one of parallel, point, spot\n");
     EXPECT_EQ(light.out, "");
-    EXPECT_EQ(eval("nothing", "").err, "raytrace: brdf: no table 'nothing'; expected one of " + names + "\n");
+    EXPECT_EQ(eval("nothing", "").err, "raytrace: brdf eval: no table 'nothing'; expected one of " + names + "\n");
     EXPECT_EQ(run({"brdf", "check", "gone/terms_D.csv"}).err, "raytrace: cannot open 'gone/terms_D.csv': No such file or directory\n");
+}
+
+TEST_F(Brdf, CheckJudgesEveryFileWhateverTheOthersAre) {
+    const std::string good = "id,class,c,ior,k,F_schlick,F_dielectric,F_conductor\n0,x,1,3,0,0.25,0.25,0.25\n";
+    here.write("terms_F.csv", good);
+    here.write("pictures.csv", "a,b\n");
+    here.write("terms_D.csv", "id,alpha\n");
+    const std::string verdict = run({"brdf", "check", "terms_F.csv"}).out;
+    const Outcome all = run({"brdf", "check", "pictures.csv", "gone.csv", "terms_D.csv", "terms_F.csv"});
+    EXPECT_EQ(all.status, 1);
+    EXPECT_EQ(all.out, verdict);
+    EXPECT_TRUE(all.err.starts_with("raytrace: pictures.csv: the name is no table's; expected one of contract, ")) << all.err;
+    EXPECT_NE(all.err.find("\nraytrace: cannot open 'gone.csv': No such file or directory\n"), std::string::npos) << all.err;
+    EXPECT_NE(all.err.find("\nraytrace: terms_D.csv:1: no column 'D_blinn'"), std::string::npos) << all.err;
+    here.write("terms_G.csv", std::string(1000, ','));
+    EXPECT_EQ(run({"brdf", "check", "terms_G.csv", "pictures.csv", "terms_F.csv"}).status, 4);
+}
+
+TEST_F(Brdf, CheckTakesATablesNameInFrontOfFiles) {
+    const std::string good = "id,class,c,ior,k,F_schlick,F_dielectric,F_conductor\n0,x,1,3,0,0.25,0.25,0.25\n";
+    here.write("mine.csv", good);
+    here.write("terms_D.csv", good);
+    const Outcome stated = run({"brdf", "check", "terms_F", "mine.csv", "terms_D.csv"});
+    EXPECT_EQ(stated.status, 0) << stated.err;
+    EXPECT_TRUE(stated.out.starts_with("mine.csv\n  F_schlick            1 rows")) << stated.out;
+    EXPECT_NE(stated.out.find("\nterms_D.csv\n  F_schlick            1 rows"), std::string::npos) << stated.out;
+    EXPECT_EQ(run({"brdf", "check", "terms_F"}).err, "raytrace: cannot open 'terms_F': No such file or directory\n");
 }
 
 /// Tables kept outside of the project; skipped, and said so, where they are missing.
@@ -199,7 +293,17 @@ TEST_F(Brdf, TablesHaveLimits) {
     const Outcome columns = check("terms_D.csv", std::string(1000, ','));
     EXPECT_EQ(columns.status, 4);
     EXPECT_EQ(columns.err, "raytrace: terms_D.csv: more than 1000 columns\n");
-    EXPECT_EQ(run({"brdf", "check", "/dev/zero/terms_D.csv"}).status, 1);
+    // The limit itself may be read: 32 MiB of zeros are a header. One byte more may not, nor what has no end.
+    here.write("terms_D.csv", "");
+    std::filesystem::resize_file("terms_D.csv", 32u << 20);
+    EXPECT_EQ(run({"brdf", "check", "terms_D.csv"}).status, 1);
+    std::filesystem::resize_file("terms_D.csv", (32u << 20) + 1);
+    const Outcome larger = run({"brdf", "check", "terms_D.csv"});
+    EXPECT_EQ(larger.status, 4);
+    EXPECT_EQ(larger.err, "raytrace: terms_D.csv is larger than 32 MiB\n");
+    const Outcome endless = run({"brdf", "check", "terms_D", "/dev/zero"});
+    EXPECT_EQ(endless.status, 4);
+    EXPECT_EQ(endless.err, "raytrace: /dev/zero is larger than 32 MiB\n");
     const Outcome bytes = eval("terms_D", std::string(33u << 20, '#'));
     EXPECT_EQ(bytes.status, 4);
     EXPECT_EQ(bytes.err, "raytrace: standard input is larger than 32 MiB\n");
