@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 
 #include "commands/brdf_curves.h"
@@ -64,7 +65,12 @@ void define(CommandLine& line, Request& request) {
     });
     line.value("--view", "DEGREES", "angle between the viewer and the normal; 45",
                [&](const std::string& v) { request.view = real_number("view", v, 0.0, 89.9); });
-    line.value("-o,--output", "FILE", "an SVG file; - (default) is standard output", [&](const std::string& v) { request.output = v; });
+    line.value("-o,--output", "FILE", "an SVG file; - (default) is standard output", [&](const std::string& v) {
+        const std::string ending = std::filesystem::path(v).extension().string();
+        if (!ending.empty() && lower_case(ending) != ".svg")
+            throw OptionError(fmt::format("output: '{}' is not the ending of an SVG file; expected '.svg' or none", ending));
+        request.output = v;
+    });
 }
 
 ModelChoice choice_of(const Request& request) { return choice_for(Scene{}, {}, request.choices); }
@@ -138,13 +144,14 @@ std::string polar_part(const Request& request, const std::vector<Shown>& all) {
     constexpr double radius = 210.0;
     const Vec2 center(255.0, 345.0);
     std::string svg;
-    const auto arrow = [&](double degrees, const char* name, std::string_view anchor, std::string_view color) {
+    // Names stand a few pixels to their side, so that they are apart where the arrows are one.
+    const auto arrow = [&](double degrees, const char* name, double aside, std::string_view anchor, std::string_view color) {
         const Vec2 way(std::sin(radians(degrees)), -std::cos(radians(degrees)));
         const Vec2 end = center + radius * 1.13 * way;
-        svg += svg_line(center, center + radius * way, color, 1.5) + svg_text({end.x, end.y, 14, anchor, color}, name);
+        svg += svg_line(center, center + radius * way, color, 1.5) + svg_text({end.x + aside, end.y, 14, anchor, color}, name);
     };
-    arrow(-request.view, "v ", "end", "#222");
-    arrow(request.view, " mirror", "start", "#999");
+    arrow(-request.view, "v", -4.0, "end", "#222");
+    arrow(request.view, "mirror", 4.0, "start", "#999");
     std::vector<ChartCurve> curves;
     for (const Shown& shown : all) curves.push_back({shown.color, false, shown.lobe});
     svg += svg_polar(center, radius, curves);
@@ -165,7 +172,8 @@ std::string polar_part(const Request& request, const std::vector<Shown>& all) {
 }
 
 /// D over the half angle: logarithmic, because peaks grow like 1 / alpha^2; the angle as well where a lobe would be thinner than a line.
-std::string distribution_part(const Frame& frame, const std::vector<Shown>& all) {
+/// `norm` multiplies it as it does the lobe.
+std::string distribution_part(const Frame& frame, double norm, const std::vector<Shown>& all) {
     double narrowest = 1e9, highest = 0.0, lowest_peak = HUGE_VAL;
     std::vector<ChartCurve> curves;
     for (const Shown& shown : all) narrowest = std::min(narrowest, shown.model.alpha);
@@ -175,7 +183,7 @@ std::string distribution_part(const Frame& frame, const std::vector<Shown>& all)
         ChartCurve curve{.color = shown.color, .points = {}};
         double peak = 0.0;
         for (const double angle : angles_around(0.0, narrowest, least, 90.0)) {
-            curve.points.emplace_back(angle, distribution_at(shown.model, angle));
+            curve.points.emplace_back(angle, norm * distribution_at(shown.model, angle));
             // At the horizon a width above 1 may be without bounds.
             if (angle < 89.5) peak = std::max(peak, curve.points.back().y);
         }
@@ -184,8 +192,8 @@ std::string distribution_part(const Frame& frame, const std::vector<Shown>& all)
         curves.push_back(std::move(curve));
     }
     const double top = std::pow(10.0, std::ceil(std::log10(highest))), bottom = std::pow(10.0, std::floor(std::log10(lowest_peak)) - 4.0);
-    return svg_chart(frame, "D", {least, 90.0, log_angle, "half angle, degrees", 15.0}, {bottom, top, true, "1 / sr, logarithmic", 0.0},
-                     curves);
+    return svg_chart(frame, norm == 1.0 ? "D" : fmt::format("{:g} D", norm), {least, 90.0, log_angle, "half angle, degrees", 15.0},
+                     {bottom, top, true, "1 / sr, logarithmic", 0.0}, curves);
 }
 
 std::string masking_part(const Frame& frame, const Request& request, const std::vector<Shown>& all) {
@@ -211,12 +219,13 @@ std::string fresnel_part(const Frame& frame, const SurfaceModel& model) {
 }
 
 std::string plot(const Request& request) {
-    const std::vector<Shown> all = shown_by(request, choice_of(request));
+    const ModelChoice choice = choice_of(request);
+    const std::vector<Shown> all = shown_by(request, choice);
     const SurfaceModel& model = all[0].model;
     std::string svg = svg_text({30, 32, 19}, title_of(model)) + svg_text({30, 54, 13}, subtitle_of(request, model));
     svg += polar_part(request, all);
     if (model.specular != Specular::microfacet) return svg_document(520, 620, svg);
-    svg += distribution_part({590, 90, 380, 135}, all);
+    svg += distribution_part({590, 90, 380, 135}, choice.norm, all);
     svg += masking_part({590, 288, 380, 120}, request, all);
     svg += fresnel_part({590, 471, 380, 120}, model);
     return svg_document(1000, 640, svg);

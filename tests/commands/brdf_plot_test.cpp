@@ -114,10 +114,12 @@ TEST(BrdfPlot, EveryChoiceIsAPicture) {
     }
 }
 
-/// The points of the first curve of that colour.
-std::vector<Vec2> points_of(const std::string& svg, const std::string& color) {
+/// The points of that colour's curve number `index`: the polar one, D, G.
+std::vector<Vec2> points_of(const std::string& svg, const std::string& color, int index = 0) {
     std::vector<Vec2> points;
-    const std::size_t stroke = svg.find("fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"");
+    const std::string line = "fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"";
+    std::size_t stroke = svg.find(line);
+    for (int i = 0; i < index && stroke != std::string::npos; ++i) stroke = svg.find(line, stroke + 1);
     if (stroke == std::string::npos) return points;
     const std::size_t begin = svg.rfind("<path d=\"", stroke) + 9;
     std::istringstream in(svg.substr(begin, svg.find('"', begin) - begin));
@@ -147,6 +149,124 @@ TEST(BrdfPlot, TheLobesAreDrawnAsTheFunctionsSay) {
     EXPECT_NE(svg.find("alpha 0.4: maximum " + std::to_string(peak).substr(0, 4)), std::string::npos);
 }
 
+/// Calls `expect` with the angle and the value of every point of a curve that begins at the frame's left end and reaches `last`.
+void each_point(const std::vector<Vec2>& points, const Frame& frame, const Axis& x, const Axis& y, double last, const auto& expect) {
+    ASSERT_GT(points.size(), 50u);
+    EXPECT_NEAR(points.front().x, frame.x, 0.01);
+    EXPECT_GT(points.back().x, frame.x + place_on(x, last) * frame.width - 0.01);
+    for (const Vec2& p : points) {
+        const double share = (p.x - frame.x) / frame.width, height = 1.0 - (p.y - frame.y) / frame.height;
+        const auto between = [](const Axis& axis, double t) {
+            return axis.logarithmic ? axis.least * std::pow(axis.most / axis.least, t) : axis.least + t * (axis.most - axis.least);
+        };
+        expect(between(x, share), between(y, height));
+    }
+}
+
+SurfaceModel model_of(double alpha, const std::vector<double>& eta) {
+    SurfaceModel model;
+    model.alpha = alpha;
+    for (std::size_t i = 0; i < 3; ++i) model.interface[i] = interface_of(eta[i]);
+    return model;
+}
+
+const std::string first_color = "#0072b2", second_color = "#d55e00";
+const Frame D_frame{590, 90, 380, 135}, G_frame{590, 288, 380, 120}, F_frame{590, 471, 380, 120};
+
+/// Of two widths, each with its own curve, to the horizon; peaks 1 / (pi alpha^2) of 7.96 and 0.88.
+void expect_D_chart(const std::string& svg, double norm, double bottom, double top) {
+    for (const auto& [color, alpha] : {std::pair{first_color, 0.2}, std::pair{second_color, 0.6}}) {
+        const SurfaceModel model = model_of(alpha, {1.5, 1.5, 1.5});
+        each_point(points_of(svg, color, 1), D_frame, {0.0, 90.0, false, "", 15.0}, {bottom, top, true, "", 0.0}, 90.0,
+                   [&](double angle, double value) { EXPECT_NEAR(value / (norm * distribution_at(model, angle)), 1.0, 0.01) << angle; });
+    }
+}
+
+TEST(BrdfPlot, TheChartOfDIsDrawnAsTheFunctionSays) {
+    const test::Workplace here;
+    expect_D_chart(run({"brdf", "plot", "--alpha", "0.2,0.6"}).out, 1.0, 1e-5, 10.0);
+    const std::string four = run({"brdf", "plot", "--alpha", "0.2,0.6", "--norm", "ct1982"}).out;
+    expect_D_chart(four, 4.0, 1e-4, 100.0);
+    EXPECT_NE(four.find(">4 D<"), std::string::npos);
+    // A narrow lobe stands over the logarithm of the angle, until it leaves the chart at 1e-5 of its peak, beyond 7.5 degrees.
+    const SurfaceModel narrow = model_of(0.01, {1.5, 1.5, 1.5});
+    each_point(points_of(run({"brdf", "plot", "--alpha", "0.01"}).out, first_color, 1), D_frame, {0.01, 90.0, true, "", 0.0},
+               {1e-1, 1e4, true, "", 0.0}, 7.5, [&](double angle, double value) {
+                   if (value > 0.11) {
+                       EXPECT_NEAR(value / distribution_at(narrow, angle), 1.0, 0.01) << angle;
+                   }
+               });
+}
+
+TEST(BrdfPlot, TheChartOfGIsDrawnAsTheFunctionSays) {
+    const test::Workplace here;
+    const std::string svg = run({"brdf", "plot", "--alpha", "0.2,0.6", "--view", "65"}).out;
+    for (const auto& [color, alpha] : {std::pair{first_color, 0.2}, std::pair{second_color, 0.6}}) {
+        const SurfaceModel model = model_of(alpha, {1.5, 1.5, 1.5});
+        each_point(points_of(svg, color, 2), G_frame, {-90.0, 90.0, false, "", 30.0}, {0.0, 1.0, false, "", 0.25}, 90.0,
+                   [&](double angle, double value) {
+                       if (std::fabs(angle) < 89.0) {
+                           EXPECT_NEAR(value, masking_at(model, angle, 65.0), 0.003) << angle;
+                       }
+                   });
+    }
+}
+
+TEST(BrdfPlot, TheChartOfFHasACurveForEachChannel) {
+    const test::Workplace here;
+    const std::vector<double> eta{1.3, 2.0, 4.0};
+    const std::string svg = run({"brdf", "plot", "--F", "dielectric", "--eta", "1.3,2,4"}).out;
+    SurfaceModel model = model_of(0.3, eta);
+    model.terms.F = Fresnel::dielectric;
+    const Axis x{0.0, 90.0, false, "", 15.0}, y{0.0, 1.0, false, "", 0.25};
+    const std::string colors[] = {"#c00000", "#00902a", "#0040d0"};
+    for (int channel = 0; channel < 3; ++channel)
+        each_point(points_of(svg, colors[channel]), F_frame, x, y, 90.0, [&](double angle, double value) {
+            if (angle < 89.0) {
+                EXPECT_NEAR(value, fresnel_at(model, channel, angle), 0.003) << channel << " " << angle;
+            }
+        });
+    // One for all where they do not differ.
+    const SurfaceModel grey = model_of(0.3, {2.0, 2.0, 2.0});
+    const std::string one = run({"brdf", "plot", "--eta", "2"}).out;
+    EXPECT_TRUE(points_of(one, colors[0]).empty());
+    each_point(points_of(one, "#222"), F_frame, x, y, 90.0, [&](double angle, double value) {
+        if (angle < 89.0) {
+            EXPECT_NEAR(value, fresnel_at(grey, 0, angle), 0.003) << angle;
+        }
+    });
+}
+
+/// Where a text of the picture stands, and the side of that place on which it is.
+std::pair<double, std::string> place_of(const std::string& svg, const std::string& text) {
+    std::smatch found;
+    const std::regex pattern("<text x=\"([^\"]*)\"[^>]*text-anchor=\"([a-z]*)\"[^>]*>" + text + "</text>");
+    if (!std::regex_search(svg, found, pattern)) return {0.0, "nowhere"};
+    return {std::stod(found[1]), found[2]};
+}
+
+TEST(BrdfPlot, TheViewerIsLeftAndTheMirrorDirectionRight) {
+    const test::Workplace here;
+    constexpr double center = 255.0;
+    const std::string svg = run({"brdf", "plot", "--view", "40"}).out;
+    const double away = 1.13 * 210.0 * std::sin(radians(40.0));
+    const auto viewer = place_of(svg, "v"), mirror = place_of(svg, "mirror");
+    EXPECT_NEAR(viewer.first, center - away, 6.0);
+    EXPECT_NEAR(mirror.first, center + away, 6.0);
+    // The lobe is on the mirror's side, too.
+    const std::vector<Vec2> points = points_of(svg, first_color);
+    const auto longest = std::max_element(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) {
+        return std::hypot(a.x - center, a.y - 345.0) < std::hypot(b.x - center, b.y - 345.0);
+    });
+    EXPECT_GT(longest->x, center + 100.0);
+    // Where both are one their names are apart.
+    const std::string above = run({"brdf", "plot", "--view", "0"}).out;
+    const auto v = place_of(above, "v"), m = place_of(above, "mirror");
+    EXPECT_EQ(v.second, "end");
+    EXPECT_EQ(m.second, "start");
+    EXPECT_GE(m.first - v.first, 6.0);
+}
+
 TEST(BrdfPlot, AFileAppearsWhole) {
     const test::Workplace here;
     const Outcome outcome = run({"brdf", "plot", "-o", "plot.svg"});
@@ -154,6 +274,7 @@ TEST(BrdfPlot, AFileAppearsWhole) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(here.files(), std::vector<std::string>{"plot.svg"});
     EXPECT_EQ(here.read("plot.svg"), run({"brdf", "plot"}).out);
+    for (const char* name : {"plot", "PLOT.SVG"}) EXPECT_EQ(run({"brdf", "plot", "-o", name}).status, 0) << name;
     const Outcome nowhere = run({"brdf", "plot", "-o", "gone/plot.svg"});
     EXPECT_EQ(nowhere.status, 3);
     EXPECT_NE(nowhere.err.find("gone/plot.svg"), std::string::npos);
@@ -177,6 +298,7 @@ TEST(BrdfPlot, MistakesAreNamed) {
     fails({"--shading", "none"}, "brdf plot: shading 'none' has no lobe");
     fails({"--material", "mirror"}, "brdf plot: alpha 0 is a mirror, which has no lobe; choose widths by --alpha");
     fails({"--shading=phong", "--exponent=9", "--alpha=1"}, "brdf plot: --exponent and --alpha both state the width of the lobe");
+    fails({"-o", "a.png"}, "output: '.png' is not the ending of an SVG file; expected '.svg' or none");
     fails({"--sigma", "1"}, "unknown option '--sigma'");
     fails({"lobe"}, "brdf plot: unexpected 'lobe'; see raytrace brdf plot --help");
 }
