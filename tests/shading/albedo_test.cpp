@@ -11,6 +11,10 @@
 namespace rt {
 namespace {
 
+// What albedo.h promises: the table is linear between 49 nodes at n.v = (i/48)^2. That is 0.002 where the albedo is smooth; between the
+// first nodes, below 0.05, V-grooves on rough surfaces bend it more, and 0.025 is what one interval leaves of that.
+constexpr double promised = 0.002, promised_at_grazing = 0.025;
+
 /// Largest error over cosines that are no nodes, relative where the albedo exceeds 1.
 double error_of(const MicrofacetTerms& terms, const Interface& x, double alpha, const std::vector<double>& cosines) {
     const Interface channels[3] = {x, x, x};
@@ -29,8 +33,8 @@ TEST(Albedo, MeetsTheIntegral) {
             for (const double alpha : {0.01, 0.1, 0.4, 1.0}) {
                 const MicrofacetTerms terms{.D = D, .G = G};
                 const std::string which = std::to_string(static_cast<int>(D)) + " " + std::to_string(static_cast<int>(G));
-                EXPECT_LT(error_of(terms, interface_of(1.5), alpha, {0.06, 0.13, 0.37, 0.91}), 0.002) << which << " " << alpha;
-                EXPECT_LT(error_of(terms, interface_of(1.5), alpha, {0.004, 0.011, 0.03}), 0.025) << which << " " << alpha;
+                EXPECT_LT(error_of(terms, interface_of(1.5), alpha, {0.06, 0.13, 0.37, 0.91}), promised) << which << " " << alpha;
+                EXPECT_LT(error_of(terms, interface_of(1.5), alpha, {0.004, 0.011, 0.03}), promised_at_grazing) << which << " " << alpha;
             }
         }
     }
@@ -41,18 +45,20 @@ TEST(Albedo, MeetsItForEveryFresnelTerm) {
     for (const Fresnel F : {Fresnel::one, Fresnel::constant, Fresnel::schlick, Fresnel::schlick_linear, Fresnel::schlick_f82,
                             Fresnel::dielectric, Fresnel::conductor}) {
         const MicrofacetTerms terms{.F = F};
-        EXPECT_LT(error_of(terms, F == Fresnel::dielectric ? interface_of(1.5) : gold, 0.25, {0.06, 0.2, 0.6, 0.97}), 0.002)
+        EXPECT_LT(error_of(terms, F == Fresnel::dielectric ? interface_of(1.5) : gold, 0.25, {0.06, 0.2, 0.6, 0.97}), promised)
             << static_cast<int>(F);
     }
 }
 
 TEST(Albedo, OfAMirrorIsFresnels) {
+    // F itself at the nodes; between them a straight line in place of (1 - n.v)^5, which is steepest towards grazing.
     const Interface x = interface_of(1.5), channels[3] = {x, x, x};
     const AlbedoTable table({}, channels, AlbedoTable::least_alpha);
-    for (const double cos : {0.02, 0.2, 0.5, 0.8, 1.0}) EXPECT_NEAR(table.at(1, cos, 1.0), F_schlick(x.f0, cos), 2e-3) << cos;
+    for (const double cos : {0.02, 0.2, 0.5, 0.8, 1.0}) EXPECT_NEAR(table.at(1, cos, 1.0), F_schlick(x.f0, cos), promised) << cos;
 }
 
 TEST(Albedo, IsLinearInF0) {
+    // Both are the same sums of a thousand terms or so: rounding only.
     Interface x = interface_of(2.0), half = x;
     half.f0 = 0.5 * x.f0;
     const AlbedoTable table({}, {x, x, x}, 0.2), other({}, {half, half, half}, 0.2);

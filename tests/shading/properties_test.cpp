@@ -174,6 +174,7 @@ TEST(ShadingProperties, FormsThatAreNotReciprocalAreNot) {
 /// A rotation of all three directions changes the value by roundings only, times the slope of the value.
 TEST(ShadingProperties, RotationsChangeNothing) {
     Draw draw(13);
+    int turned_rows = 0;
     for (int i = 0; i < 20000; ++i) {
         const Vec3 n = draw.direction(), l = draw.above(n), v = i % 2 ? draw.above(n) : unit(reflect(-l, n) + 0.05 * draw.direction());
         const double alpha = draw.power_of_ten(-2, 0.3);
@@ -181,6 +182,7 @@ TEST(ShadingProperties, RotationsChangeNothing) {
         const auto turned = [&](const Vec3& a) { return a.x * x + a.y * y + a.z * z; };
         HalfGeometry a, b;
         if (!half_geometry(n, l, v, incline(n, v), a) || a.l.cos < 1e-3 || a.v.cos < 1e-3) continue;
+        ++turned_rows;
         ASSERT_TRUE(half_geometry(turned(n), turned(l), turned(v), incline(turned(n), turned(v)), b));
         // d ln D / d angle is at most 2 tan (1 + tan^2) / alpha^2 + 4 tan; the angle of h moves by an ulp over |s|, those of l and v by
         // one.
@@ -194,6 +196,7 @@ TEST(ShadingProperties, RotationsChangeNothing) {
                 ASSERT_LE(std::fabs(one - other), tolerance * one + 1e-290) << static_cast<int>(D) << static_cast<int>(G) << " " << alpha;
             }
     }
+    EXPECT_GT(turned_rows, 19500);
 }
 
 // ---- one function in several prints; h and its cosines as the texts have them, at angles where those forms keep their digits ----
