@@ -70,7 +70,8 @@ std::size_t BrdfTable::column(std::string_view column) const {
     const auto& names = header().cells;
     const auto found = std::find(names.begin(), names.end(), column);
     if (found == names.end()) {
-        const std::vector<std::string> known(names.begin(), names.end());
+        std::vector<std::string> known;
+        for (const std::string_view name : names) known.push_back(shown(name));
         fail(header(), fmt::format("no column '{}'{}", column, did_you_mean(column, known)));
     }
     return static_cast<std::size_t>(found - names.begin());

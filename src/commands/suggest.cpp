@@ -35,6 +35,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
     std::string best;
     for (const std::string& candidate : candidates) {
+        if (candidate.size() > word.size() + limit) continue;  // so many insertions at least, and it may be megabytes
         const std::size_t distance = edit_distance(word, candidate);
         if (distance > limit || (distance == limit && !best.empty())) continue;
         limit = distance;

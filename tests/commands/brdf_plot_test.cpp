@@ -281,6 +281,7 @@ TEST(BrdfPlot, AFileAppearsWhole) {
 }
 
 TEST(BrdfPlot, MistakesAreNamed) {
+    const test::Workplace here;
     const auto fails = [](std::vector<std::string> words, const std::string& message) {
         words.insert(words.begin(), {"brdf", "plot"});
         const Outcome outcome = run(words);

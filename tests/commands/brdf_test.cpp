@@ -226,6 +226,7 @@ TEST_F(Brdf, MistakesInATableAreNamedWithTheirPlace) {
     fails("terms_D.csv", "", "terms_D.csv: no header line with the names of the columns");
     fails("terms_D.csv", "# only this\n\n", "terms_D.csv: no header line with the names of the columns");
     fails("terms_D.csv", "# x\nid,class,alpha,nh,D_blin,D_beckmann,D_ggx\n", "terms_D.csv:2: no column 'D_blinn'; did you mean 'D_blin'?");
+    fails("terms_D.csv", "D_blin\x1b\n", "terms_D.csv:1: no column 'D_blinn'; did you mean 'D_blin?'?");
     fails("terms_D.csv", "id,alpha,nh,id\n", "terms_D.csv:1: column 'id' appears twice");
     fails("terms_D.csv", head + "0,x,1,1,1,1\n", "terms_D.csv:2: 6 cells under a header of 7");
     fails("terms_D.csv", head + "\n0,x,1,1.0.0,1,1,1\n", "terms_D.csv:3: column 'nh': '1.0.0' is not a number");

@@ -60,6 +60,7 @@ TEST(Suggestions, NearestWordWithinAThird) {
     EXPECT_EQ(nearest_word("ab", {"abcd"}), "");
     EXPECT_EQ(nearest_word("", {"a"}), "a");
     EXPECT_EQ(nearest_word(std::string(100000, 'x'), {"a"}), "");
+    EXPECT_EQ(nearest_word("widht", {std::string(100'000'000, 'w'), "width"}), "width");
 }
 
 }  // namespace
