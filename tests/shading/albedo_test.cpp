@@ -51,10 +51,10 @@ TEST(Albedo, MeetsItForEveryFresnelTerm) {
 }
 
 TEST(Albedo, OfAMirrorIsFresnels) {
-    // F itself at the nodes; between them a straight line in place of (1 - n.v)^5, which is steepest towards grazing.
+    // F itself at the nodes, (i/48)^2, and straight lines between them: 0.96 c (1 - c)^3 / 230 from (1 - c)^5, below 5e-4.
     const Interface x = interface_of(1.5), channels[3] = {x, x, x};
     const AlbedoTable table({}, channels, AlbedoTable::least_alpha);
-    for (const double cos : {0.02, 0.2, 0.5, 0.8, 1.0}) EXPECT_NEAR(table.at(1, cos, 1.0), F_schlick(x.f0, cos), promised) << cos;
+    for (const double cos : {0.02, 0.2, 0.5, 0.8, 1.0}) EXPECT_NEAR(table.at(1, cos, 1.0), F_schlick(x.f0, cos), 5e-4) << cos;
 }
 
 TEST(Albedo, IsLinearInF0) {
