@@ -28,9 +28,10 @@ Tolerance by_condition(std::string_view column) { return within(32.0, 4.0, colum
 /// D by its own conditioning: the logarithm of its value and the exponent's argument tan^2 / alpha^2.
 double tolerance_D(const BrdfRow& row, double want) {
     if (want == 0.0) return 1e-300;
-    const double nh = row.number("nh", domain::cosine),
-                 tan_over_alpha = std::sqrt((1.0 - nh) * (1.0 + nh)) / nh / row.number("alpha", domain::not_negative);
-    return half_ulp * (32.0 + 4.0 * std::fabs(std::log(std::fabs(want))) + 4.0 * tan_over_alpha * tan_over_alpha) * std::fabs(want) + 1e-300;
+    const double size = std::fabs(want);
+    const double nh = row.number("nh", domain::cosine), alpha = row.number("alpha", domain::not_negative);
+    const double tan_over_alpha = std::sqrt((1.0 - nh) * (1.0 + nh)) / nh / alpha;
+    return half_ulp * (32.0 + 4.0 * std::fabs(std::log(size)) + 4.0 * tan_over_alpha * tan_over_alpha) * size + 1e-300;
 }
 
 /// F is singular where total reflection begins.
