@@ -20,9 +20,10 @@ struct AttenuationLaw {
 /// No law lets a lamp shine brighter than this times its colour, however near it is.
 inline constexpr double brightest = 1e200;
 
-/// Factor on the light of a lamp at that distance; a lamp at the very point has no direction and lights nothing. Finite.
+/// Factor on the light of a lamp at that distance. Finite: a lamp at the very point has no direction and lights nothing, but not by 0 times
+/// infinity.
 inline double attenuation(const AttenuationLaw& law, double distance) {
-    if (!(distance > 0.0 && distance <= law.range)) return 0.0;
+    if (!(distance <= law.range)) return 0.0;
     switch (law.kind) {
         case Attenuation::none:
             return 1.0;

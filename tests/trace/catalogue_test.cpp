@@ -342,7 +342,7 @@ TEST(Catalogue, a_lamp_at_the_point_or_a_wild_sigma_is_no_number_lost) {
         const double factor = attenuation({.kind = Attenuation::polynomial, .constant = 0.0, .linear = 0.0}, distance);
         EXPECT_TRUE(factor >= 0.0 && factor <= brightest) << distance;
     }
-    EXPECT_EQ(attenuation({.kind = Attenuation::one_d_d2}, 0.0), 0.0);
+    EXPECT_EQ(attenuation({.kind = Attenuation::one_d_d2}, 0.0), 1.0);
     ModelChoice choice = with(SurfaceModel::Specular::none);
     choice.model.diffuse = Diffuse::oren_nayar;
     choice.model.oren_nayar = OrenNayar(1e200);
