@@ -12,6 +12,7 @@
 #include "commands/help.h"
 #include "commands/job_steps.h"
 #include "commands/names.h"
+#include "commands/ray_tree_json.h"
 #include "commands/session.h"
 #include "commands/surroundings.h"
 #include "commands/text.h"
@@ -22,8 +23,10 @@ namespace rt {
 
 namespace {
 
-/// The pixel's own place in the picture: rows are counted from the bottom on the command line, from the top here.
-int row_from_top(const CourseArguments& arguments) { return arguments.job.height - 1 - arguments.y; }
+/// The pixel's own place in the picture: its rows are counted from the top, the course's on the command line from the bottom.
+int row_from_top(const CourseArguments& arguments) {
+    return arguments.job.profile == Profile::csc473 ? arguments.job.height - 1 - arguments.y : arguments.y;
+}
 
 Ray ray_of_centre(const CourseArguments& arguments, const CameraBasis& camera) {
     return camera_ray(camera, arguments.x + 0.5, row_from_top(arguments) + 0.5, arguments.job.width, arguments.job.height);
@@ -63,25 +66,22 @@ int firsthit(CourseArguments arguments) {
     return 0;
 }
 
-/// A pixel with its rays, and the scene they are told by.
-struct Traced {
-    Scene scene;
-    PixelName name;
-    PixelRays rays;
-};
-
-Traced trace(CourseArguments& arguments) {
+TracedPixel trace(CourseArguments& arguments) {
     const MessageSink silent = message_sink(true);
-    Traced traced;
+    const RenderJob& job = arguments.job;
+    TracedPixel traced;
     traced.scene = read_scene(arguments.job, silent);
-    const World world = build_world(arguments.job, traced.scene, silent);
-    RenderOptions options = render_options(arguments.job, traced.scene);
-    options.trace.environment = read_surroundings(arguments.job.environment);
+    const World world = build_world(job, traced.scene, silent);
+    RenderOptions options = render_options(job, traced.scene);
+    options.trace.environment = read_surroundings(job.environment);
     traced.rays = trace_pixel(world, std::move(options), arguments.x, row_from_top(arguments));
-    Encoding encoding = encoding_of(arguments.job, traced.scene.settings.gamma);
+    Encoding encoding = encoding_of(job, traced.scene.settings.gamma);
     encoding.bits = 8;
     const Pixel& p = traced.rays.pixel;
     traced.name = {arguments.x, arguments.y, {quantise(p.r, encoding), quantise(p.g, encoding), quantise(p.b, encoding)}};
+    traced.scene_name = job.scene, traced.shading = shading_text(job), traced.profile = job.profile;
+    traced.width = job.width, traced.height = job.height;
+    traced.camera = world.camera;
     return traced;
 }
 
@@ -91,7 +91,7 @@ std::string_view brdf_name(const RenderJob& job) {
 }
 
 int pixelcolor(CourseArguments arguments) {
-    const Traced traced = trace(arguments);
+    const TracedPixel traced = trace(arguments);
     // Of several samples the middle one stands for the pixel.
     const RayNode& node = traced.rays.samples[traced.rays.samples.size() / 2].nodes.front();
     write_stdout(pixelcolor_text(traced.name, traced.scene, node, brdf_name(arguments.job)));
@@ -99,14 +99,14 @@ int pixelcolor(CourseArguments arguments) {
 }
 
 int printrays(CourseArguments arguments) {
-    const Traced traced = trace(arguments);
-    write_stdout(printrays_text(traced.name, traced.scene, traced.rays.samples));
+    const TracedPixel traced = trace(arguments);
+    write_stdout(arguments.json ? ray_tree_json(traced) : printrays_text(traced.name, traced.scene, traced.rays.samples));
     return 0;
 }
 
 int pixeltrace(CourseArguments arguments) {
-    const Traced traced = trace(arguments);
-    write_stdout(pixeltrace_text(traced.name, traced.scene, traced.rays.samples));
+    const TracedPixel traced = trace(arguments);
+    write_stdout(arguments.json ? ray_tree_json(traced) : pixeltrace_text(traced.name, traced.scene, traced.rays.samples));
     return 0;
 }
 
@@ -122,15 +122,15 @@ struct Command {
     int (*run)(CourseArguments arguments);
 };
 
-constexpr bool size = true, pixel = true;
+constexpr bool size = true, pixel = true, tree = true;
 constexpr std::array<Command, 9> commands{{{{"render", size, !pixel}, render_course},
                                            {{"raycast", size, !pixel}, raycast},
                                            {{"sceneinfo", !size, !pixel}, sceneinfo},
                                            {{"pixelray", size, pixel}, pixelray},
                                            {{"firsthit", size, pixel}, firsthit},
                                            {{"pixelcolor", size, pixel}, pixelcolor},
-                                           {{"printrays", size, pixel}, printrays},
-                                           {{"pixeltrace", size, pixel}, pixeltrace},
+                                           {{"printrays", size, pixel, tree}, printrays},
+                                           {{"pixeltrace", size, pixel, tree}, pixeltrace},
                                            {{"printbvh", !size, !pixel}, printbvh}}};
 
 }  // namespace

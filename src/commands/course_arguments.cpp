@@ -80,6 +80,8 @@ void check_option(const CourseUsage& usage, const std::string& word) {
     std::vector<std::string> known = render_long_names();
     if (is_one_of(known, name)) return;
     known.insert(known.end(), {"-ss", "-gi_samples", "-gi_bounces"});
+    if (name == "--json") throw OptionError("option '--json' goes with printrays and pixeltrace");
+    if (usage.tree) known.emplace_back("--json");
     known.insert(known.end(), flags.begin(), flags.end());
     throw OptionError(fmt::format("unknown option '{}'{}", name, did_you_mean(name, known)));
 }
@@ -88,6 +90,7 @@ void check_option(const CourseUsage& usage, const std::string& word) {
 struct Sorted {
     Words positions, ours;
     CourseOptions course;
+    bool json = false;
 };
 
 Sorted sort_words(const CourseUsage& usage, const Words& words) {
@@ -105,6 +108,10 @@ Sorted sort_words(const CourseUsage& usage, const Words& words) {
             continue;
         }
         if (accept(sorted.course, word)) continue;
+        if (word == "--json" && usage.tree) {
+            sorted.json = true;
+            continue;
+        }
         check_option(usage, word);
         sorted.ours.push_back(word);
         const bool separate = word == "-ss" || render_option_takes_value(word);
@@ -135,7 +142,8 @@ CourseArguments parse_course_arguments(const CourseUsage& usage, const Words& wo
     ours.insert(ours.end(), sorted.ours.begin(), sorted.ours.end());
     std::string help;
     CourseArguments arguments{.job = std::move(*parse_render_arguments(ours, help))};
-    arguments.job.max_trace_level = 1 + CourseRules().further_rays;  // of another shading, too
+    arguments.json = sorted.json;
+    if (arguments.job.profile == Profile::csc473) arguments.job.max_trace_level = 1 + CourseRules().further_rays;  // with any shading
     if (sorted.course.any || sorted.course.indirect || !sorted.course.about_indirect.empty())
         arguments.job.course = rules_of(sorted.course);
     if (usage.pixel) {

@@ -15,11 +15,13 @@ struct CourseUsage {
     std::string_view command;
     bool size = false;   ///< SCENE WIDTH HEIGHT instead of SCENE
     bool pixel = false;  ///< ... and X Y
+    bool tree = false;   ///< tells of all rays, with --json as JSON
 };
 
 struct CourseArguments {
     RenderJob job;
-    int x = 0, y = 0;  ///< counted from the bottom left
+    int x = 0, y = 0;  ///< counted from the bottom left; from the top left under POV-Ray's profile
+    bool json = false;
 };
 
 /// `words` in any order: positions, the course's single-dash options, and our long ones. Throws OptionError: a position too many or too

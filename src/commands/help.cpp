@@ -158,8 +158,9 @@ raytrace render SCENE WIDTH HEIGHT       writes output.png
 raytrace raycast SCENE WIDTH HEIGHT      pigments alone
 raytrace sceneinfo | printbvh SCENE      what it says; boxes halved in x, y, z
 raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
-  a pixel's ray, what it meets, its colour, all its rays as a list or a tree.
-  X and Y count from 0 at the bottom left; the numbers are the picture's.
+  a pixel's ray, what it meets, its colour, all its rays as a list or a tree
+  (--json: with every number). X and Y count from 0 at the bottom left (with
+  --profile povray: top left); the numbers are the picture's.
 
 -ss=N     N x N rays a pixel           -fresnel  glass mirrors by Schlick's law
 -altbrdf  Cook-Torrance, GGX           -beers    glass fades with its thickness
@@ -167,8 +168,8 @@ raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
 -gi       indirect light for ambient; -gi_samples=64,16 -gi_bounces=2
 
 Mirrored and transmitted rays begin 0.001 along themselves, shadow rays 0.001
-along the normal; six rays follow the camera's. Our long options and -o -q -t
--L work too; with --shading povray or another, these commands tell of that.
+along the normal; six follow the camera's. Our long options and -o -q -t -L work
+too; --shading povray or another tells of that, --profile povray of our picture.
 )";
 
 constexpr const char* exit_topic =

@@ -30,7 +30,10 @@ std::string sampling_text(const Sampling& s) {
     return "?";
 }
 
-/// The name of the shading, with what the course's rules were asked for.
+}  // namespace
+
+std::string_view program_version() { return RAYTRACE_VERSION; }
+
 std::string shading_text(const RenderJob& job) {
     if (!job.course) return std::string(name_of(shading_names, *job.shading));
     const CourseRules& rules = *job.course;
@@ -42,10 +45,6 @@ std::string shading_text(const RenderJob& job) {
     if (!rules.indirect_samples.empty()) text += fmt::format(",gi:{}", fmt::join(rules.indirect_samples, ":"));
     return text;
 }
-
-}  // namespace
-
-std::string_view program_version() { return RAYTRACE_VERSION; }
 
 ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene) {
     std::string options =

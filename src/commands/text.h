@@ -13,6 +13,9 @@ namespace rt {
 /// The version of the program, e.g. "0.1.0".
 std::string_view program_version();
 
+/// The name of the shading, with what the course's rules were asked for.
+std::string shading_text(const RenderJob& job);
+
 /// What a picture says about its making. Nothing in it depends on the machine, the time or the number of threads.
 ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene);
 
