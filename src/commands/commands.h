@@ -14,6 +14,7 @@ int run_program(const Words& words);
 int run_render(const Words& words);
 int run_requires(const Words& words);
 int run_compare(const Words& words);
+int run_explain(const Words& words);
 int run_brdf(const Words& words);
 /// [TABLE] FILE...
 int run_brdf_check(const Words& words);

@@ -15,10 +15,10 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> later_commands{"grade", "versus", "trade", "explain", "merge"};
-constexpr std::array<std::string_view, 14> available_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
+constexpr std::array<std::string_view, 4> later_commands{"grade", "versus", "trade", "merge"};
+constexpr std::array<std::string_view, 15> available_commands{"render",     "raycast",   "sceneinfo",  "pixelray", "firsthit",
                                                               "pixelcolor", "printrays", "pixeltrace", "printbvh", "requires",
-                                                              "compare",    "brdf",      "help",       "version"};
+                                                              "compare",    "explain",   "brdf",       "help",     "version"};
 
 bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
 
@@ -40,6 +40,7 @@ int run_program(const Words& words) {
     if (is_course_command(first)) return run_course(first, rest);
     if (first == "requires") return run_requires(rest);
     if (first == "compare") return run_compare(rest);
+    if (first == "explain") return run_explain(rest);
     if (first == "brdf") return run_brdf(rest);
     if (first == "help") return run_help(rest);
     if (first == "version" || first == "--version" || first == "-version") return run_version(rest);

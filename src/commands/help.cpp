@@ -12,8 +12,8 @@ namespace rt {
 
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
-    "Commands: requires compare brdf help version; topics of help: povray scene\n"
-    "shading edges sampling output course exit. POV-Ray's options work too: +W320 ...";
+    "Commands: requires compare explain brdf help version; topics of help: povray\n"
+    "scene shading edges sampling output course exit. POV-Ray's work too: +W320 ...";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -22,6 +22,20 @@ const char* const compare_usage = "Usage: raytrace compare [OPTION...] A B\nThe 
 const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
     "...";
+const char* const explain_usage =
+    "Usage: raytrace explain [OPTION...] A B\nWhere two records of a pixel's rays part, and what it usually means; A is right.";
+const char* const explain_footer =
+    R"(A and B are texts of the course's printrays or pixeltrace, of any program, or
+what ours prints with --json, one beside the other as you like:
+    raytrace printrays scene.pov 640 480 320 240 --json > ours.json
+    ./mine printrays scene.pov 640 480 320 240 > mine.txt
+    raytrace explain ours.json mine.txt
+The first field that differs is named, in the order of the tree: a ray, what it
+meets, light of the surface itself, then the rays that it causes, their sum.
+What a record leaves out is not compared. Give a pixel that looks wrong; a rule
+that differs may show first as the effect of another one.
+
+Exit status: 0 same, 1 different, 4 a record cannot be read.)";
 const char* const brdf_usage =
     "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check [TABLE] FILE...\n       raytrace brdf normalization | "
     "albedo "
@@ -181,7 +195,7 @@ constexpr const char* exit_topic =
 5  internal fault
 
 'raytrace compare' has idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,
-4 a picture cannot be read.
+4 a picture cannot be read. 'raytrace explain' has 0 same, 1 different, 4.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
@@ -208,6 +222,7 @@ int run_help(const Words& words) {
     if (words.empty() || words[0] == "render") return run_render({"--help"});
     if (words[0] == "requires") return run_requires({"--help"});
     if (words[0] == "compare") return run_compare({"--help"});
+    if (words[0] == "explain") return run_explain({"--help"});
     if (words[0] == "brdf") return run_brdf({"--help"});
     const std::string_view text = help_topic(words[0]);
     if (text.empty()) throw OptionError("no help on '" + words[0] + "'" + did_you_mean(words[0], help_topics()));

@@ -13,6 +13,8 @@ extern const char* const requires_usage;
 extern const char* const requires_footer;
 extern const char* const compare_usage;
 extern const char* const compare_footer;
+extern const char* const explain_usage;
+extern const char* const explain_footer;
 extern const char* const brdf_usage;
 extern const char* const brdf_footer;
 extern const char* const brdf_plot_usage;

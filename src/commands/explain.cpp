@@ -1,0 +1,64 @@
+// raytrace explain A B: where two records of one pixel part, and what that usually means.
+#include <fmt/format.h>
+
+#include "commands/command_line.h"
+#include "commands/commands.h"
+#include "commands/help.h"
+#include "commands/text.h"
+#include "commands/told_pixel_file.h"
+#include "commands/values.h"
+#include "commands/verdict.h"
+#include "grading/explain.h"
+
+namespace rt {
+
+namespace {
+
+/// "sample 1, ray 3 (camera > transmission > mirror)": rays are counted from 1, as they stand in the file.
+std::string ray_text(const Divergence& found, const ToldPixel& told, std::size_t ray) {
+    const std::vector<ToldRay>& rays = told.samples[found.sample];
+    std::string path;
+    for (std::size_t i = ray; i != ToldRay::none; i = rays[i].parent) {
+        const char* name = rays[i].kind == ToldRay::Kind::camera       ? "camera"
+                           : rays[i].kind == ToldRay::Kind::reflection ? "mirror"
+                                                                       : "transmission";
+        path = path.empty() ? name : fmt::format("{} > {}", name, path);
+    }
+    return fmt::format("sample {}, ray {} ({})", found.sample + 1, ray + 1, path);
+}
+
+std::string text_of(const Divergence& found, const ToldPixel& a) {
+    const std::string place = found.ray_a == ToldRay::none ? "the pixel" : ray_text(found, a, found.ray_a);
+    return fmt::format("first difference: {} of {}\n  A  {}\n  B  {}\nlikely cause: {}\n{}\n", found.field, place, found.value_a,
+                       found.value_b, name_of(found.cause), meaning_of(found.cause));
+}
+
+}  // namespace
+
+int run_explain(const Words& words) {
+    double tolerance = 1e-4;
+    bool quiet = false;
+    CommandLine line(explain_usage, explain_footer);
+    line.value("--tolerance", "X", "numbers are the same within X, relative above 1 (1e-4)",
+               [&](const std::string& v) { tolerance = real_number("tolerance", v, 0.0, 1.0); });
+    line.flag("-q,--quiet", "no text; the exit status says it", [&] { quiet = true; });
+    try {
+        const Words files = line.parse(with_two_dashes(words, line));
+        if (line.help_asked()) {
+            write_stdout(line.help());
+            return 0;
+        }
+        if (files.size() != 2) throw OptionError("explain: expected two records of a pixel; see raytrace explain --help");
+        const ToldPixel a = read_told_pixel(files[0]), b = read_told_pixel(files[1]);
+        const std::optional<Divergence> found = first_divergence(a, b, tolerance);
+        if (!quiet) write_stdout(found ? text_of(*found, a) : "the same\n");
+        return found ? 1 : 0;
+    } catch (const SceneError& error) {  // its own line, which editors parse
+        write_stderr(fmt::format("{}\n", error.what()));
+    } catch (const std::runtime_error& error) {  // statuses 1 and 3 have meanings of their own here
+        write_stderr(fmt::format("raytrace: {}\n", error.what()));
+    }
+    return static_cast<int>(Verdict::unreadable);
+}
+
+}  // namespace rt

@@ -1,0 +1,14 @@
+// Where in a JSON text a value stands: nlohmann's parser keeps no places.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rt {
+
+/// The offset of the value at `path` (names of members, and indices of lists in decimal) in a text that is valid JSON and has it.
+std::size_t place_in_json(std::string_view json, std::span<const std::string> path);
+
+}  // namespace rt

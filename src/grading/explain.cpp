@@ -1,0 +1,269 @@
+#include "grading/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grading/explain_rules.h"
+
+namespace rt {
+
+namespace {
+
+using rules::same;
+using Rays = std::vector<ToldRay>;
+
+std::string text(const Vec3& v) { return fmt::format("{{{:.6g} {:.6g} {:.6g}}}", v.x, v.y, v.z); }
+std::string text(const ToldRay::Shares& s) {
+    return fmt::format("{:.6g} local, {:.6g} reflection, {:.6g} transmission", s.local, s.reflection, s.transmission);
+}
+
+std::string text_of_end(const ToldRay& ray) {
+    if (ray.hit) return fmt::format("object {} ({}) at t = {:.6g}", ray.hit->object, ray.hit->type, ray.hit->t);
+    if (ray.end == ToldRay::End::level) return "not followed, as deep as rays go";
+    return ray.end == ToldRay::End::weight ? "not followed, too faint" : "nothing";
+}
+
+std::string text_of_arrival(const ToldShadow& shadow) {
+    if (shadow.transmitted == Rgb(0.0)) return "is hidden";
+    return shadow.exact ? "arrives by " + text(shadow.transmitted) : "arrives";
+}
+
+constexpr std::string_view part_names[light_parts] = {"ambient",    "diffuse",    "specular", "reflection",
+                                                      "refraction", "background", "radiance"};
+
+std::string_view kind_name(ToldRay::Kind kind) { return kind == ToldRay::Kind::reflection ? "mirrored ray" : "transmitted ray"; }
+
+/// The walk through one sample of both records; the first difference ends it.
+class Walk {
+public:
+    Walk(const Rays& a, const Rays& b, const ToldCamera* camera, double tolerance)
+        : a_(a), b_(b), camera_(camera), tolerance_(tolerance), deepest_a_(deepest(a)), deepest_b_(deepest(b)) {}
+
+    std::optional<Divergence> from_camera() {
+        if (!a_.empty() && !b_.empty()) compare(0, 0, 0);
+        return std::move(found_);
+    }
+
+private:
+    static int deepest(const Rays& rays) {
+        std::vector<int> depth(rays.size(), 0);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (rays[i].parent != ToldRay::none) depth[i] = depth[rays[i].parent] + 1;
+        return depth.empty() ? 0 : *std::max_element(depth.begin(), depth.end());
+    }
+
+    bool differ(std::size_t i, std::size_t j, Cause cause, std::string_view field, std::string value_a, std::string value_b) {
+        found_ = {cause, 0, i, j, std::string(field), std::move(value_a), std::move(value_b)};
+        return true;
+    }
+
+    /// Each of these is true where it found the first difference.
+    bool compare(std::size_t i, std::size_t j, int depth) {
+        return rays(i, j) || hits(i, j) || surfaces(i, j) || shadows(i, j) || own_light(i, j) || further(i, j, depth) || sums(i, j);
+    }
+
+    bool rays(std::size_t i, std::size_t j) {
+        const ToldRay &a = a_[i], &b = b_[j];
+        const bool from_camera = a.parent == ToldRay::none;
+        const bool same_direction = same(a.ray.direction, b.ray.direction, tolerance_);
+        if (!same(a.ray.origin, b.ray.origin, tolerance_) && (same_direction || !is_offset_along_itself(a, b))) {
+            const Cause cause = from_camera ? Cause::camera : rules::origin(a.ray.origin, b.ray.origin, a_[a.parent].hit->point);
+            return differ(i, j, cause, "origin", text(a.ray.origin), text(b.ray.origin));
+        }
+        if (same_direction) return false;
+        Cause cause = Cause::other;
+        if (from_camera) {
+            cause = rules::camera_direction(a.ray.direction, b.ray.direction, camera_, tolerance_);
+        } else if (const ToldRay& parent = a_[a.parent]; parent.hit->normal) {
+            cause = rules::direction(a.kind, a.ray.direction, b.ray.direction, parent.ray.direction, *parent.hit->normal, tolerance_);
+        }
+        return differ(i, j, cause, "direction", text(a.ray.direction), text(b.ray.direction));
+    }
+
+    /// Whether both begin so far from the surface that their directions alone make the difference.
+    bool is_offset_along_itself(const ToldRay& a, const ToldRay& b) const {
+        if (a.parent == ToldRay::none) return false;
+        const Vec3 &from_a = a_[a.parent].hit->point, &from_b = b_[b.parent].hit->point;
+        return same(length(a.ray.origin - from_a), length(b.ray.origin - from_b), 2.0 * tolerance_);
+    }
+
+    bool factors_differ(std::size_t i, std::size_t j) const {
+        return a_[i].factor && b_[j].factor && !same(*a_[i].factor, *b_[j].factor, tolerance_);
+    }
+
+    bool differ_in_factor(std::size_t i, std::size_t j) {
+        const Rgb &a = *a_[i].factor, &b = *b_[j].factor;
+        return differ(i, j, rules::factor(a_[i].kind, a, b, tolerance_), "factor", text(a), text(b));
+    }
+
+    bool hits(std::size_t i, std::size_t j) {
+        const ToldRay &a = a_[i], &b = b_[j];
+        const bool end = a.end == b.end && a.hit.has_value() == b.hit.has_value();
+        const bool met = end && (!a.hit || (a.hit->object == b.hit->object && same(a.hit->t, b.hit->t, tolerance_) &&
+                                            same(a.hit->point, b.hit->point, tolerance_)));
+        if (met) return false;
+        const bool faint = (a.end == ToldRay::End::weight) != (b.end == ToldRay::End::weight);
+        if (faint && factors_differ(i, j)) return differ_in_factor(i, j);
+        const ToldRay* parent = b.parent == ToldRay::none ? nullptr : &b_[b.parent];
+        return differ(i, j, rules::hit(a, b, parent, tolerance_), "what it meets", text_of_end(a), text_of_end(b));
+    }
+
+    bool surfaces(std::size_t i, std::size_t j) {
+        if (!a_[i].hit) return false;
+        const ToldHit &a = *a_[i].hit, &b = *b_[j].hit;
+        if (a.normal && b.normal && !same(*a.normal, *b.normal, tolerance_))
+            return differ(i, j, rules::normal(*a.normal, *b.normal, tolerance_), "normal", text(*a.normal), text(*b.normal));
+        if (a.inside && b.inside && *a.inside != *b.inside)
+            return differ(i, j, Cause::wrong_normal_side, "side", *a.inside ? "inside" : "outside", *b.inside ? "inside" : "outside");
+        for (std::size_t k = 0; k < std::min(a.layers.size(), b.layers.size()); ++k) {
+            const ToldLayer &la = a.layers[k], &lb = b.layers[k];
+            if (same(la.rgb, lb.rgb, tolerance_) && same(la.filter, lb.filter, tolerance_) && same(la.transmit, lb.transmit, tolerance_))
+                continue;
+            const auto told = [](const ToldLayer& l) {
+                return fmt::format("{} filter {:.6g} transmit {:.6g}", text(l.rgb), l.filter, l.transmit);
+            };
+            return differ(i, j, rules::layers(la, lb, tolerance_), "pigment", told(la), told(lb));
+        }
+        const std::optional<ToldRay::Shares>&sa = a_[i].shares, &sb = b_[j].shares;
+        const bool shares_differ = sa && sb &&
+                                   !(same(sa->local, sb->local, tolerance_) && same(sa->reflection, sb->reflection, tolerance_) &&
+                                     same(sa->transmission, sb->transmission, tolerance_));
+        return shares_differ && differ(i, j, rules::shares(*sa, *sb, tolerance_), "contributions", text(*sa), text(*sb));
+    }
+
+    bool shadows(std::size_t i, std::size_t j) {
+        if (!a_[i].hit || !a_[i].hit->shadows || !b_[j].hit->shadows) return false;
+        const std::vector<ToldShadow>&a = *a_[i].hit->shadows, &b = *b_[j].hit->shadows;
+        for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
+            const auto name = [&](const std::vector<ToldShadow>& of) {
+                return k < of.size() ? fmt::format("light {}, sample {}", of[k].light, of[k].sample) : "no further one";
+            };
+            if (k >= a.size() || k >= b.size() || a[k].light != b[k].light || a[k].sample != b[k].sample)
+                return differ(i, j, Cause::missing_light, "lamps asked", name(a), name(b));
+            const bool exact = a[k].exact && b[k].exact;
+            const bool arrives = (a[k].transmitted != Rgb(0.0)) == (b[k].transmitted != Rgb(0.0));
+            if (arrives && (!exact || same(a[k].transmitted, b[k].transmitted, tolerance_))) continue;
+            return differ(i, j, rules::shadow(a[k].transmitted, b[k].transmitted), fmt::format("shadow ray to light {}", a[k].light),
+                          text_of_arrival(a[k]), text_of_arrival(b[k]));
+        }
+        return false;
+    }
+
+    bool part_differs(std::size_t i, std::size_t j, LightPart part) const {
+        const std::optional<Rgb>&a = a_[i].part(part), &b = b_[j].part(part);
+        return a && b && !same(*a, *b, tolerance_);
+    }
+
+    bool differ_in_part(std::size_t i, std::size_t j, LightPart part, Cause cause) {
+        return differ(i, j, cause, part_names[static_cast<std::size_t>(part)], text(*a_[i].part(part)), text(*b_[j].part(part)));
+    }
+
+    bool own_light(std::size_t i, std::size_t j) {
+        for (const LightPart part : {LightPart::ambient, LightPart::diffuse, LightPart::specular})
+            if (part_differs(i, j, part)) return differ_in_part(i, j, part, cause_of_own_light(i, j, part));
+        return part_differs(i, j, LightPart::background) && differ_in_part(i, j, LightPart::background, Cause::background);
+    }
+
+    /// Light of the surface itself that has another share, since the rest of it goes where one of the records has no ray.
+    Cause cause_of_own_light(std::size_t i, std::size_t j, LightPart part) const {
+        const Cause cause = rules::local_light(part, a_[i], b_[j], tolerance_);
+        if (cause != Cause::wrong_share) return cause;
+        if (has_child(a_, i, ToldRay::Kind::refraction) && !has_child(b_, j, ToldRay::Kind::refraction)) return Cause::missing_filter;
+        if (has_child(a_, i, ToldRay::Kind::reflection) && !has_child(b_, j, ToldRay::Kind::reflection)) return Cause::missing_reflection;
+        return cause;
+    }
+
+    static bool has_child(const Rays& rays, std::size_t parent, ToldRay::Kind kind) {
+        return std::any_of(rays.begin(), rays.end(), [&](const ToldRay& ray) { return ray.parent == parent && ray.kind == kind; });
+    }
+
+    static std::vector<std::size_t> children(const Rays& rays, std::size_t parent) {
+        std::vector<std::size_t> result;
+        for (std::size_t i = parent + 1; i < rays.size(); ++i)
+            if (rays[i].parent == parent) result.push_back(i);
+        return result;
+    }
+
+    bool further(std::size_t i, std::size_t j, int depth) {
+        const std::vector<std::size_t> a = children(a_, i), b = children(b_, j);
+        for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
+            const ToldRay* of_a = k < a.size() ? &a_[a[k]] : nullptr;
+            const ToldRay* of_b = k < b.size() ? &b_[b[k]] : nullptr;
+            if (of_a != nullptr && of_b != nullptr && of_a->kind == of_b->kind) continue;
+            // Mirrors come first: of two kinds, the mirrored ray is the one too many.
+            const bool a_has = of_a != nullptr && (of_b == nullptr || of_a->kind == ToldRay::Kind::reflection);
+            const ToldRay::Kind kind = a_has ? of_a->kind : of_b->kind;
+            const bool beyond = depth > 0 && depth + 1 > (a_has ? deepest_b_ : deepest_a_);
+            const bool total = std::any_of(a.begin(), a.end(), [&](std::size_t c) { return a_[c].total; }) ||
+                               std::any_of(b.begin(), b.end(), [&](std::size_t c) { return b_[c].total; });
+            const Cause cause = total ? Cause::total_reflection : rules::further_ray(kind, a_has, beyond, a_[i], b_[j], tolerance_);
+            return differ(i, j, cause, fmt::format("the {} it causes", kind_name(kind)), a_has ? "there is one" : "there is none",
+                          a_has ? "there is none" : "there is one");
+        }
+        for (std::size_t k = 0; k < a.size(); ++k)
+            if (compare(a[k], b[k], depth + 1)) return true;
+        for (std::size_t k = 0; k < a.size(); ++k)
+            if (factors_differ(a[k], b[k])) return differ_in_factor(a[k], b[k]);
+        return false;
+    }
+
+    bool sums(std::size_t i, std::size_t j) {
+        for (const auto& [part, kind] :
+             {std::pair(LightPart::reflection, ToldRay::Kind::reflection), std::pair(LightPart::refraction, ToldRay::Kind::refraction)})
+            if (part_differs(i, j, part))
+                return differ_in_part(i, j, part, rules::factor(kind, implied(a_, i, part, kind), implied(b_, j, part, kind), tolerance_));
+        return part_differs(i, j, LightPart::radiance) && differ_in_part(i, j, LightPart::radiance, rules::sum(a_[i], b_[j], tolerance_));
+    }
+
+    /// The factor that a ray's part has on the light of the only further ray of its kind; the part itself where that is unknown.
+    static Rgb implied(const Rays& rays, std::size_t parent, LightPart part, ToldRay::Kind kind) {
+        const Rgb sum = *rays[parent].part(part);
+        for (const std::size_t child : children(rays, parent)) {
+            const std::optional<Rgb>& light = rays[child].part(LightPart::radiance);
+            if (rays[child].kind == kind && light && light->r > 0.0 && light->g > 0.0 && light->b > 0.0) return sum / *light;
+        }
+        return sum;
+    }
+
+    const Rays &a_, &b_;
+    const ToldCamera* camera_;
+    double tolerance_;
+    int deepest_a_, deepest_b_;
+    std::optional<Divergence> found_;
+};
+
+std::string text(const std::array<int, 3>& color) { return fmt::format("({}, {}, {})", color[0], color[1], color[2]); }
+
+/// Differences of the pixel itself, before its rays.
+std::optional<Divergence> of_pixel(const ToldPixel& a, const ToldPixel& b) {
+    const auto place = [](const ToldPixel& p) { return fmt::format("[{}, {}] from the {} left", p.x, p.y, p.from_top ? "top" : "bottom"); };
+    if (a.x != b.x || (a.from_top == b.from_top && a.y != b.y))
+        return Divergence{Cause::another_pixel, 0, ToldRay::none, ToldRay::none, "pixel", place(a), place(b)};
+    if (a.samples.size() != b.samples.size())
+        return Divergence{Cause::sampling,
+                          0,
+                          ToldRay::none,
+                          ToldRay::none,
+                          "number of samples",
+                          std::to_string(a.samples.size()),
+                          std::to_string(b.samples.size())};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Divergence> first_divergence(const ToldPixel& a, const ToldPixel& b, double tolerance) {
+    if (std::optional<Divergence> found = of_pixel(a, b)) return found;
+    const ToldCamera* camera = a.camera ? &*a.camera : b.camera ? &*b.camera : nullptr;
+    for (std::size_t s = 0; s < a.samples.size(); ++s) {
+        std::optional<Divergence> found = Walk(a.samples[s], b.samples[s], camera, tolerance).from_camera();
+        if (!found) continue;
+        found->sample = s;
+        return found;
+    }
+    if (a.color == b.color) return std::nullopt;
+    return Divergence{rules::color(a.color, b.color), 0, ToldRay::none, ToldRay::none, "colour", text(a.color), text(b.color)};
+}
+
+}  // namespace rt

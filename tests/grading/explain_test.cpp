@@ -1,0 +1,157 @@
+// The rules that name a difference, one by one, and the order in which differences are found.
+#include "grading/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "grading/explain_rules.h"
+
+namespace rt {
+namespace {
+
+constexpr double tolerance = 1e-4;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(ExplainRules, NumbersAreTheSameWithinTheTolerance) {
+    EXPECT_TRUE(rules::same(0.1234, 0.1235, tolerance));  // roundings of 0.12345 -+ nothing
+    EXPECT_FALSE(rules::same(0.1234, 0.1236, tolerance));
+    EXPECT_TRUE(rules::same(20000.0, 20001.0, tolerance));
+    EXPECT_FALSE(rules::same(20000.0, 20003.0, tolerance));
+    EXPECT_TRUE(rules::same(nan, nan, tolerance));
+    EXPECT_FALSE(rules::same(nan, 0.0, tolerance));
+    EXPECT_TRUE(rules::same(infinity, infinity, tolerance));
+    EXPECT_FALSE(rules::same(infinity, -infinity, tolerance));
+    EXPECT_FALSE(rules::same(infinity, 1e300, tolerance));
+}
+
+TEST(ExplainRules, NormalsAreScaledTurnedOrOthers) {
+    const Vec3 n = unit(Vec3(1, 2, -2));
+    EXPECT_EQ(rules::normal(n, 3.0 * n, tolerance), Cause::missing_normalisation);
+    EXPECT_EQ(rules::normal(n, -n, tolerance), Cause::wrong_normal_side);
+    EXPECT_EQ(rules::normal(n, -2.0 * n, tolerance), Cause::wrong_normal_side);
+    EXPECT_EQ(rules::normal(n, Vec3(0, 1, 0), tolerance), Cause::wrong_normal);
+    EXPECT_EQ(rules::normal(n, Vec3(0.0), tolerance), Cause::wrong_normal);
+}
+
+TEST(ExplainRules, CameraRaysWithoutACameraAreToldByTheirSigns) {
+    const Vec3 d = unit(Vec3(0.3, 0.2, -1));
+    EXPECT_EQ(rules::camera_direction(d, {-d.x, d.y, d.z}, nullptr, tolerance), Cause::mirrored);
+    EXPECT_EQ(rules::camera_direction(d, {d.x, d.y, -d.z}, nullptr, tolerance), Cause::mirrored);
+    EXPECT_EQ(rules::camera_direction(d, {d.x, -d.y, d.z}, nullptr, tolerance), Cause::upside_down);
+    EXPECT_EQ(rules::camera_direction(d, {d.y, d.x, d.z}, nullptr, tolerance), Cause::camera);
+    const ToldCamera flat{d, {0, 0, 0}, {0, 1, 0}, 8, 8};
+    EXPECT_EQ(rules::camera_direction(d, {d.y, d.x, d.z}, &flat, tolerance), Cause::camera);
+}
+
+TEST(ExplainRules, BentRaysStayInThePlaneOfIncidence) {
+    const Vec3 n(0, 1, 0), d = unit(Vec3(1, -1, 0)), bent = unit(Vec3(0.5, -1, 0)), more = unit(Vec3(0.2, -1, 0));
+    EXPECT_EQ(rules::direction(ToldRay::Kind::refraction, bent, more, d, n, tolerance), Cause::wrong_refraction_ratio);
+    EXPECT_EQ(rules::direction(ToldRay::Kind::refraction, bent, unit(Vec3(0.5, -1, 1)), d, n, tolerance), Cause::other);
+    EXPECT_EQ(rules::direction(ToldRay::Kind::refraction, bent, 2.0 * bent, d, n, tolerance), Cause::missing_normalisation);
+    EXPECT_EQ(rules::direction(ToldRay::Kind::reflection, unit(Vec3(1, 1, 0)), d, d, n, tolerance), Cause::wrong_mirror_direction);
+}
+
+TEST(ExplainRules, SharesTellFilterFresnelAndMirror) {
+    const ToldRay::Shares a{0.2, 0.1, 0.7};
+    EXPECT_EQ(rules::shares(a, {0.9, 0.1, 0.0}, tolerance), Cause::missing_filter);
+    EXPECT_EQ(rules::shares(a, {0.2, 0.05, 0.75}, tolerance), Cause::missing_fresnel);
+    EXPECT_EQ(rules::shares(a, {0.2, 0.15, 0.65}, tolerance), Cause::wrong_share);
+    EXPECT_EQ(rules::shares(a, {0.2, 0.8, 0.0}, tolerance), Cause::total_reflection);
+    EXPECT_EQ(rules::shares(a, {0.3, 0.0, 0.7}, tolerance), Cause::missing_reflection);
+    EXPECT_EQ(rules::shares(a, {1.0, 0.1, 0.7}, tolerance), Cause::wrong_share);
+}
+
+TEST(ExplainRules, FurtherRaysEndByDepthOrByTheSurface) {
+    const ToldRay none;
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, true, true, none, none, tolerance), Cause::depth);
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, true, false, none, none, tolerance), Cause::missing_reflection);
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::refraction, true, false, none, none, tolerance), Cause::missing_filter);
+    ToldRay shared;
+    shared.shares = {0.2, 0.1, 0.7};
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::refraction, true, false, shared, shared, tolerance), Cause::depth);
+}
+
+TEST(ExplainRules, BytesTellGammaAndRounding) {
+    EXPECT_EQ(rules::color({64, 128, 200}, {136, 186, 229}), Cause::gamma);  // 255 (c / 255)^(1 / 2.2)
+    EXPECT_EQ(rules::color({136, 186, 229}, {64, 128, 200}), Cause::gamma);
+    EXPECT_EQ(rules::color({64, 128, 200}, {63, 128, 199}), Cause::rounding);
+    EXPECT_EQ(rules::color({64, 128, 200}, {200, 128, 64}), Cause::other);
+}
+
+ToldRay surface(const Vec3& point) {
+    ToldRay ray;
+    ray.ray = {{0, 0, 4}, {0, 0, -1}};
+    ray.end = ToldRay::End::surface;
+    ray.hit.emplace();
+    ray.hit->object = 1;
+    ray.hit->point = point;
+    ray.hit->normal = Vec3(0, 0, 1);
+    for (std::optional<Rgb>& part : ray.light) part = Rgb(0.25);
+    return ray;
+}
+
+class Order : public testing::Test {
+protected:
+    Order() {
+        ToldRay further = surface({0, 1, 0});
+        further.parent = 0, further.kind = ToldRay::Kind::reflection;
+        a.samples = {{surface({0, 0, 1}), further}};
+        b = a;
+    }
+    std::string first() const {
+        const std::optional<Divergence> found = first_divergence(a, b, tolerance);
+        return found ? found->field + (found->ray_b == ToldRay::none ? "" : found->ray_b == 0 ? " 0" : " 1") : "";
+    }
+    ToldPixel a, b;
+};
+
+TEST_F(Order, OwnFieldsThenFurtherRaysThenSumsThenThePixel) {
+    EXPECT_EQ(first(), "");
+    b.color[0] = 9;
+    EXPECT_EQ(first(), "colour");
+    std::vector<ToldRay>& rays = b.samples[0];
+    rays[0].part(LightPart::radiance) = Rgb(0.5);
+    EXPECT_EQ(first(), "radiance 0");
+    rays[0].part(LightPart::reflection) = Rgb(0.5);
+    EXPECT_EQ(first(), "reflection 0");
+    rays[1].part(LightPart::radiance) = Rgb(0.5);
+    EXPECT_EQ(first(), "radiance 1");
+    rays[1].hit->normal = Vec3(0, 1, 0);
+    EXPECT_EQ(first(), "normal 1");
+    rays[0].part(LightPart::specular) = Rgb(0.5);
+    EXPECT_EQ(first(), "specular 0");
+    rays[0].part(LightPart::ambient) = Rgb(0.5);
+    EXPECT_EQ(first(), "ambient 0");
+    rays[0].hit->normal = Vec3(0, 1, 0);
+    EXPECT_EQ(first(), "normal 0");
+    rays[0].hit->object = 2;
+    EXPECT_EQ(first(), "what it meets 0");
+    rays[0].ray.origin = Vec3(1, 0, 0);
+    EXPECT_EQ(first(), "origin 0");
+}
+
+TEST_F(Order, WhatOneLeavesOutIsNotCompared) {
+    for (ToldRay& ray : b.samples[0]) {
+        ray.light = {};
+        ray.hit->normal.reset();
+    }
+    EXPECT_EQ(first(), "");
+}
+
+TEST_F(Order, RowsCountedFromOtherEndsAreNotCompared) {
+    b.y = 7;
+    EXPECT_EQ(first(), "pixel");
+    b.from_top = true;
+    EXPECT_EQ(first(), "");
+}
+
+TEST(Causes, AllHaveWords) {
+    for (int i = 0; i <= static_cast<int>(Cause::rounding); ++i) {
+        EXPECT_GE(name_of(static_cast<Cause>(i)).size(), 5u);
+        EXPECT_TRUE(meaning_of(static_cast<Cause>(i)).ends_with('.')) << i;
+    }
+}
+
+}  // namespace
+}  // namespace rt
