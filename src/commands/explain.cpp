@@ -28,9 +28,9 @@ std::string ray_text(const Divergence& found, const ToldPixel& told, std::size_t
 }
 
 std::string text_of(const Divergence& found, const ToldPixel& a) {
-    const std::string place = found.ray_a == ToldRay::none ? "the pixel" : ray_text(found, a, found.ray_a);
-    return fmt::format("first difference: {} of {}\n  A  {}\n  B  {}\nlikely cause: {}\n{}\n", found.field, place, found.value_a,
-                       found.value_b, name_of(found.cause), meaning_of(found.cause));
+    const std::string place = found.ray_a == ToldRay::none ? "" : " of " + ray_text(found, a, found.ray_a);
+    return fmt::format("first difference: {}{}\n  A  {}\n  B  {}\nlikely cause: {}\n{}\n", found.field, place, found.value_a, found.value_b,
+                       name_of(found.cause), meaning_of(found.cause));
 }
 
 }  // namespace

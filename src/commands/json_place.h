@@ -8,7 +8,8 @@
 
 namespace rt {
 
-/// The offset of the value at `path` (names of members, and indices of lists in decimal) in a text that is valid JSON and has it.
+/// The offset of the value at `path` (names of members, and indices of lists in decimal) in a text that is valid JSON; the
+/// text's end if it is not there. Of members of one name it is the first.
 std::size_t place_in_json(std::string_view json, std::span<const std::string> path);
 
 }  // namespace rt

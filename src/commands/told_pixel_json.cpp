@@ -1,6 +1,7 @@
 // Our JSON of a pixel's rays, back to numbers. Every mistake has its place.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -106,8 +107,9 @@ ToldHit hit_of(const Value& value) {
         const Value shadows = value["shadows"];
         hit.shadows.emplace();
         for (std::size_t i = 0; i < shadows.size(); ++i)
-            hit.shadows->push_back(
-                {shadows.item(i)["light"].count(), shadows.item(i)["sample"].count(), shadows.item(i)["transmitted"].vector(), true});
+            hit.shadows->push_back({shadows.item(i)["light"].count(), shadows.item(i)["sample"].count(),
+                                    shadows.item(i)["transmitted"].vector(),
+                                    shadows.item(i).has("crossed") && shadows.item(i)["crossed"].size() > 0, true});
     }
     return hit;
 }
@@ -204,6 +206,13 @@ ToldPixel told_pixel_of_json(const Sources& sources) {
     } catch (const json::parse_error& error) {
         const auto at = static_cast<std::uint32_t>(error.byte > 0 ? error.byte - 1 : 0);
         throw SceneError(sources.describe({0, at, at + 1}, "Parse Error", bare(error.what())));
+    } catch (const json::out_of_range& error) {  // a number beyond double precision: its digits are told, not their place
+        const std::string_view message = error.what();
+        const std::size_t begin = message.find('\'') + 1;
+        const std::string_view digits = message.substr(begin, message.rfind('\'') - begin);
+        const auto at = static_cast<std::uint32_t>(std::min(sources.file(0).text.find(digits), sources.file(0).text.size()));
+        throw SceneError(sources.describe({0, at, at + static_cast<std::uint32_t>(digits.size())}, "Parse Error",
+                                          fmt::format("Expected a number of double precision, {} found instead.", digits)));
     }
     return told_pixel(Value(sources, content));
 }

@@ -144,8 +144,8 @@ private:
             const bool exact = a[k].exact && b[k].exact;
             const bool arrives = (a[k].transmitted != Rgb(0.0)) == (b[k].transmitted != Rgb(0.0));
             if (arrives && (!exact || same(a[k].transmitted, b[k].transmitted, tolerance_))) continue;
-            return differ(i, j, rules::shadow(a[k].transmitted, b[k].transmitted), fmt::format("shadow ray to light {}", a[k].light),
-                          text_of_arrival(a[k]), text_of_arrival(b[k]));
+            return differ(i, j, rules::shadow(a[k], b[k]), fmt::format("shadow ray to light {}", a[k].light), text_of_arrival(a[k]),
+                          text_of_arrival(b[k]));
         }
         return false;
     }
@@ -211,9 +211,17 @@ private:
     bool sums(std::size_t i, std::size_t j) {
         for (const auto& [part, kind] :
              {std::pair(LightPart::reflection, ToldRay::Kind::reflection), std::pair(LightPart::refraction, ToldRay::Kind::refraction)})
-            if (part_differs(i, j, part))
-                return differ_in_part(i, j, part, rules::factor(kind, implied(a_, i, part, kind), implied(b_, j, part, kind), tolerance_));
+            if (part_differs(i, j, part)) return differ_in_part(i, j, part, cause_of_brought_light(i, j, part, kind));
         return part_differs(i, j, LightPart::radiance) && differ_in_part(i, j, LightPart::radiance, rules::sum(a_[i], b_[j], tolerance_));
+    }
+
+    /// Light that further rays bring, their own being the same as far as it is told: texts leave out what the background brings.
+    Cause cause_of_brought_light(std::size_t i, std::size_t j, LightPart part, ToldRay::Kind kind) const {
+        const auto leaves = [&](const ToldRay& ray) {
+            return ray.parent == i && ray.kind == kind && !ray.hit && !ray.part(LightPart::radiance);
+        };
+        if (std::any_of(a_.begin(), a_.end(), leaves)) return Cause::background;
+        return rules::factor(kind, implied(a_, i, part, kind), implied(b_, j, part, kind), tolerance_);
     }
 
     /// The factor that a ray's part has on the light of the only further ray of its kind; the part itself where that is unknown.
@@ -239,7 +247,7 @@ std::string text(const std::array<int, 3>& color) { return fmt::format("({}, {},
 std::optional<Divergence> of_pixel(const ToldPixel& a, const ToldPixel& b) {
     const auto place = [](const ToldPixel& p) { return fmt::format("[{}, {}] from the {} left", p.x, p.y, p.from_top ? "top" : "bottom"); };
     if (a.x != b.x || (a.from_top == b.from_top && a.y != b.y))
-        return Divergence{Cause::another_pixel, 0, ToldRay::none, ToldRay::none, "pixel", place(a), place(b)};
+        return Divergence{Cause::another_pixel, 0, ToldRay::none, ToldRay::none, "place of the pixel", place(a), place(b)};
     if (a.samples.size() != b.samples.size())
         return Divergence{Cause::sampling,
                           0,
@@ -263,7 +271,7 @@ std::optional<Divergence> first_divergence(const ToldPixel& a, const ToldPixel& 
         return found;
     }
     if (a.color == b.color) return std::nullopt;
-    return Divergence{rules::color(a.color, b.color), 0, ToldRay::none, ToldRay::none, "colour", text(a.color), text(b.color)};
+    return Divergence{rules::color(a.color, b.color), 0, ToldRay::none, ToldRay::none, "colour of the pixel", text(a.color), text(b.color)};
 }
 
 }  // namespace rt

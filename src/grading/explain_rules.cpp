@@ -131,9 +131,10 @@ Cause layers(const ToldLayer& a, const ToldLayer& b, double tolerance) {
     return through ? Cause::wrong_pigment : Cause::missing_filter;
 }
 
-Cause shadow(const Rgb& a, const Rgb& b) {
-    if (a != dark && b != dark) return Cause::missing_filter;  // both pass something transparent
-    return a == dark ? Cause::missing_shadow : Cause::false_shadow;
+Cause shadow(const ToldShadow& a, const ToldShadow& b) {
+    const bool partly = a.transmitted != dark && b.transmitted != dark;
+    if (partly || (b.transmitted == dark && a.through)) return Cause::missing_filter;
+    return a.transmitted == dark ? Cause::missing_shadow : Cause::false_shadow;
 }
 
 Cause local_light(LightPart part, const ToldRay& a, const ToldRay& b, double tolerance) {
@@ -145,7 +146,8 @@ Cause local_light(LightPart part, const ToldRay& a, const ToldRay& b, double tol
         const std::optional<double> of_all = ratio(all_a, all_b, tolerance);
         const bool lit = part_or_dark(a, LightPart::diffuse) != dark;
         if (lit && k && of_all && *k != 0.0 && std::fabs(*k - *of_all) < 0.01 * std::fabs(*k)) return Cause::wrong_share;
-        return k || light_a == dark ? Cause::missing_ambient : Cause::wrong_pigment;
+        const bool same_pigment = a.hit && b.hit && !a.hit->layers.empty() && !b.hit->layers.empty();  // or it had been found before
+        return k || light_a == dark || same_pigment ? Cause::missing_ambient : Cause::wrong_pigment;
     }
     if (part == LightPart::specular) {
         constexpr double plain = 0.01;  // less may be the foot of another lobe

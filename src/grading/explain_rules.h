@@ -22,7 +22,7 @@ Cause hit(const ToldRay& a, const ToldRay& b, const ToldRay* parent, double tole
 Cause normal(const Vec3& a, const Vec3& b, double tolerance);
 Cause shares(const ToldRay::Shares& a, const ToldRay::Shares& b, double tolerance);
 Cause layers(const ToldLayer& a, const ToldLayer& b, double tolerance);
-Cause shadow(const Rgb& a, const Rgb& b);
+Cause shadow(const ToldShadow& a, const ToldShadow& b);
 /// Light of the surface itself, where `part` is the first of ambient, diffuse and specular that differs.
 Cause local_light(LightPart part, const ToldRay& a, const ToldRay& b, double tolerance);
 /// The factor of a further ray's light.

@@ -19,6 +19,7 @@ inline constexpr std::size_t light_parts = 7;
 struct ToldShadow {
     std::uint32_t light = 0, sample = 0;
     Rgb transmitted{1.0};  ///< share that arrives
+    bool through = false;  ///< known to have passed transparent objects
     bool exact = true;     ///< false: told is only whether any arrives
 };
 

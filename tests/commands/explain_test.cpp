@@ -100,6 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"finish_phong.pov", "phong 0.7 phong_size 8", "", 8, 2, "missing highlight"},
         Planted{"finish_reflection.pov", "finish { reflection 0.6 }", "", 1, 1, "missing reflection"},
         Planted{"finish_reflection.pov", "ambient 0.05", "ambient 0", 2, 6, "missing or wrong ambient"},
+        Planted{"texture_layers.pov", "ambient 0.1", "ambient 0", 5, 3, "missing or wrong ambient", {}, {}, false},
         Planted{"finish_reflection.pov", "diffuse 0.2", "diffuse 0.4", 2, 6, "wrong diffuse light"},
         Planted{"finish_reflection.pov", "rgb <0.9, 0.6, 0.2>", "rgb <0.9, 0.2, 0.6>", 2, 6, "wrong pigment"},
         Planted{"glass.pov", "ior 1.5", "ior 1.3", 18, 3, "wrong refraction ratio"},
@@ -109,6 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"shape_transforms.pov", "object { Peg transform { Lean } translate <-0.9, -0.2, 0> }", "", 9, 1, "wrong object"},
         Planted{"shape_transforms.pov", "scale <0.6, -1.1, 1.5> rotate <0, 40, 15>", "rotate <0, 40, 15> scale <0.6, -1.1, 1.5>", 15, 6,
                 "placement"},
+        Planted{"glass_nested.pov", "background { rgb <0.5, 0.65, 0.9> }", "", 3, 4, "background"},
+        Planted{"interior_fade.pov", "pigment { rgbf 1 }", "pigment { rgb 1 }", 1, 7, "missing or wrong filter"},
         Planted{"camera_perspective.pov", "", "", 3, 4, "gamma", {}, {"--file-gamma=1"}},
         Planted{"camera_perspective.pov", "", "", 3, 4, "another number of samples", {}, {"--ss=2"}}));
 
@@ -309,6 +312,8 @@ TEST_F(Explain, MistakesInTextsHaveLineAndColumn) {
 TEST_F(Explain, MistakesInJsonHaveLineAndColumn) {
     EXPECT_EQ(complaint("b.json", "{\n  \"format\": ,\n"),
               "File 'b.json' line 2: Parse Error: syntax error while parsing value - unexpected ','; expected '[', '{', or a literal");
+    EXPECT_EQ(complaint("b.json", "{\n  \"format\": 1e999 }"),
+              "File 'b.json' line 2: Parse Error: Expected a number of double precision, 1e999 found instead.");
     EXPECT_EQ(complaint("b.json", "{\n  \"format\": \"other\" }"),
               "File 'b.json' line 2: Parse Error: Expected \"raytrace ray tree 1\", \"other\" found instead.");
     EXPECT_EQ(complaint("b.json", "{\n  \"format\": \"raytrace ray tree 1\" }").substr(0, 62),

@@ -20,6 +20,9 @@ TEST(JsonPlace, IsWhereTheValueBegins) {
     EXPECT_EQ(at(json, {"a", "2"}), '3');
     EXPECT_EQ(at(json, {"d", "e"}), '4');
     EXPECT_EQ(place_in_json(json, std::vector<std::string>{"d", "a"}), json.rfind("[]"));
+    EXPECT_EQ(place_in_json(json, std::vector<std::string>{"e"}), json.size());
+    EXPECT_EQ(place_in_json("{\"a\": 1, \"a\": [2]}", std::vector<std::string>{"a", "0", "b"}), 18u);
+    EXPECT_EQ(place_in_json("3", std::vector<std::string>{"a"}), 1u);
 }
 
 }  // namespace

@@ -72,6 +72,16 @@ TEST(ExplainRules, FurtherRaysEndByDepthOrByTheSurface) {
     EXPECT_EQ(rules::further_ray(ToldRay::Kind::refraction, true, false, shared, shared, tolerance), Cause::depth);
 }
 
+TEST(ExplainRules, ShadowsAreMissingFalseOrWithoutTheFilter) {
+    const ToldShadow lit, dark{0, 0, Rgb(0.0)}, tinted{0, 0, Rgb(0.5, 0.25, 1.0), true}, clear{0, 0, Rgb(1.0), true};
+    EXPECT_EQ(rules::shadow(dark, lit), Cause::missing_shadow);
+    EXPECT_EQ(rules::shadow(lit, dark), Cause::false_shadow);
+    EXPECT_EQ(rules::shadow(tinted, lit), Cause::missing_filter);
+    EXPECT_EQ(rules::shadow(tinted, dark), Cause::missing_filter);
+    EXPECT_EQ(rules::shadow(clear, dark), Cause::missing_filter);
+    EXPECT_EQ(rules::shadow(dark, tinted), Cause::missing_shadow);
+}
+
 TEST(ExplainRules, BytesTellGammaAndRounding) {
     EXPECT_EQ(rules::color({64, 128, 200}, {136, 186, 229}), Cause::gamma);  // 255 (c / 255)^(1 / 2.2)
     EXPECT_EQ(rules::color({136, 186, 229}, {64, 128, 200}), Cause::gamma);
@@ -109,7 +119,7 @@ protected:
 TEST_F(Order, OwnFieldsThenFurtherRaysThenSumsThenThePixel) {
     EXPECT_EQ(first(), "");
     b.color[0] = 9;
-    EXPECT_EQ(first(), "colour");
+    EXPECT_EQ(first(), "colour of the pixel");
     std::vector<ToldRay>& rays = b.samples[0];
     rays[0].part(LightPart::radiance) = Rgb(0.5);
     EXPECT_EQ(first(), "radiance 0");
@@ -139,9 +149,19 @@ TEST_F(Order, WhatOneLeavesOutIsNotCompared) {
     EXPECT_EQ(first(), "");
 }
 
+TEST_F(Order, LightOfALeavingRayThatIsNotToldOfIsTheBackgrounds) {
+    for (ToldPixel* pixel : {&a, &b}) {
+        ToldRay& leaving = pixel->samples[0][1];
+        leaving.hit.reset(), leaving.light = {}, leaving.end = ToldRay::End::background;
+    }
+    b.samples[0][0].part(LightPart::reflection) = Rgb(0.125);
+    EXPECT_EQ(first(), "reflection 0");
+    EXPECT_EQ(first_divergence(a, b, tolerance)->cause, Cause::background);
+}
+
 TEST_F(Order, RowsCountedFromOtherEndsAreNotCompared) {
     b.y = 7;
-    EXPECT_EQ(first(), "pixel");
+    EXPECT_EQ(first(), "place of the pixel");
     b.from_top = true;
     EXPECT_EQ(first(), "");
 }
