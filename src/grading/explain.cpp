@@ -38,14 +38,34 @@ std::string_view kind_name(ToldRay::Kind kind) { return kind == ToldRay::Kind::r
 class Walk {
 public:
     Walk(const Rays& a, const Rays& b, const ToldCamera* camera, double tolerance)
-        : a_(a), b_(b), camera_(camera), tolerance_(tolerance), deepest_a_(deepest(a)), deepest_b_(deepest(b)) {}
+        : a_(a),
+          b_(b),
+          camera_(camera),
+          tolerance_(tolerance),
+          deepest_a_(deepest(a)),
+          deepest_b_(deepest(b)),
+          children_a_(children_of(a)),
+          children_b_(children_of(b)) {}
 
     std::optional<Divergence> from_camera() {
-        if (!a_.empty() && !b_.empty()) compare(0, 0, 0);
+        if (!a_.empty() && !b_.empty()) compare_from_camera();
         return std::move(found_);
     }
 
 private:
+    using Children = std::vector<std::vector<std::size_t>>;  ///< of each ray, in the order of the record
+    /// Two rays whose further rays are being compared, `next` at a time.
+    struct Open {
+        std::size_t i, j, next;
+    };
+
+    static Children children_of(const Rays& rays) {
+        Children children(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (rays[i].parent != ToldRay::none) children[rays[i].parent].push_back(i);
+        return children;
+    }
+
     static int deepest(const Rays& rays) {
         std::vector<int> depth(rays.size(), 0);
         for (std::size_t i = 0; i < rays.size(); ++i)
@@ -58,9 +78,33 @@ private:
         return true;
     }
 
+    /// A ray, then its further rays, then what they bring to it. By a stack of its own: a record may be any number of rays deep.
+    void compare_from_camera() {
+        if (begin(0, 0, 0)) return;
+        std::vector<Open> open{{0, 0, 0}};
+        while (!open.empty()) {
+            const Open at = open.back();
+            const std::vector<std::size_t>&a = children_a_[at.i], &b = children_b_[at.j];
+            if (at.next == a.size()) {
+                if (brought_light(at.i, at.j)) return;
+                open.pop_back();
+                continue;
+            }
+            ++open.back().next;
+            if (begin(a[at.next], b[at.next], static_cast<int>(open.size()))) return;
+            open.push_back({a[at.next], b[at.next], 0});
+        }
+    }
+
     /// Each of these is true where it found the first difference.
-    bool compare(std::size_t i, std::size_t j, int depth) {
-        return rays(i, j) || hits(i, j) || surfaces(i, j) || shadows(i, j) || own_light(i, j) || further(i, j, depth) || sums(i, j);
+    bool begin(std::size_t i, std::size_t j, int depth) {
+        return rays(i, j) || hits(i, j) || surfaces(i, j) || shadows(i, j) || own_light(i, j) || further(i, j, depth);
+    }
+
+    bool brought_light(std::size_t i, std::size_t j) {
+        for (std::size_t k = 0; k < children_a_[i].size(); ++k)
+            if (factors_differ(children_a_[i][k], children_b_[j][k])) return differ_in_factor(children_a_[i][k], children_b_[j][k]);
+        return sums(i, j);
     }
 
     bool rays(std::size_t i, std::size_t j) {
@@ -169,24 +213,21 @@ private:
     Cause cause_of_own_light(std::size_t i, std::size_t j, LightPart part) const {
         const Cause cause = rules::local_light(part, a_[i], b_[j], tolerance_);
         if (cause != Cause::wrong_share) return cause;
-        if (has_child(a_, i, ToldRay::Kind::refraction) && !has_child(b_, j, ToldRay::Kind::refraction)) return Cause::missing_filter;
-        if (has_child(a_, i, ToldRay::Kind::reflection) && !has_child(b_, j, ToldRay::Kind::reflection)) return Cause::missing_reflection;
+        const auto only_a_has = [&](ToldRay::Kind kind) {
+            return has_child(a_, children_a_[i], kind) && !has_child(b_, children_b_[j], kind);
+        };
+        if (only_a_has(ToldRay::Kind::refraction)) return Cause::missing_filter;
+        if (only_a_has(ToldRay::Kind::reflection)) return Cause::missing_reflection;
         return cause;
     }
 
-    static bool has_child(const Rays& rays, std::size_t parent, ToldRay::Kind kind) {
-        return std::any_of(rays.begin(), rays.end(), [&](const ToldRay& ray) { return ray.parent == parent && ray.kind == kind; });
+    static bool has_child(const Rays& rays, const std::vector<std::size_t>& children, ToldRay::Kind kind) {
+        return std::any_of(children.begin(), children.end(), [&](std::size_t child) { return rays[child].kind == kind; });
     }
 
-    static std::vector<std::size_t> children(const Rays& rays, std::size_t parent) {
-        std::vector<std::size_t> result;
-        for (std::size_t i = parent + 1; i < rays.size(); ++i)
-            if (rays[i].parent == parent) result.push_back(i);
-        return result;
-    }
-
+    /// Whether one of the records has a further ray that the other has not.
     bool further(std::size_t i, std::size_t j, int depth) {
-        const std::vector<std::size_t> a = children(a_, i), b = children(b_, j);
+        const std::vector<std::size_t>&a = children_a_[i], &b = children_b_[j];
         for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
             const ToldRay* of_a = k < a.size() ? &a_[a[k]] : nullptr;
             const ToldRay* of_b = k < b.size() ? &b_[b[k]] : nullptr;
@@ -201,10 +242,6 @@ private:
             return differ(i, j, cause, fmt::format("the {} it causes", kind_name(kind)), a_has ? "there is one" : "there is none",
                           a_has ? "there is none" : "there is one");
         }
-        for (std::size_t k = 0; k < a.size(); ++k)
-            if (compare(a[k], b[k], depth + 1)) return true;
-        for (std::size_t k = 0; k < a.size(); ++k)
-            if (factors_differ(a[k], b[k])) return differ_in_factor(a[k], b[k]);
         return false;
     }
 
@@ -217,17 +254,18 @@ private:
 
     /// Light that further rays bring, their own being the same as far as it is told: texts leave out what the background brings.
     Cause cause_of_brought_light(std::size_t i, std::size_t j, LightPart part, ToldRay::Kind kind) const {
-        const auto leaves = [&](const ToldRay& ray) {
-            return ray.parent == i && ray.kind == kind && !ray.hit && !ray.part(LightPart::radiance);
+        const auto leaves = [&](std::size_t child) {
+            const ToldRay& ray = a_[child];
+            return ray.kind == kind && !ray.hit && !ray.part(LightPart::radiance);
         };
-        if (std::any_of(a_.begin(), a_.end(), leaves)) return Cause::background;
-        return rules::factor(kind, implied(a_, i, part, kind), implied(b_, j, part, kind), tolerance_);
+        if (std::any_of(children_a_[i].begin(), children_a_[i].end(), leaves)) return Cause::background;
+        return rules::factor(kind, implied(a_, i, children_a_[i], part, kind), implied(b_, j, children_b_[j], part, kind), tolerance_);
     }
 
     /// The factor that a ray's part has on the light of the only further ray of its kind; the part itself where that is unknown.
-    static Rgb implied(const Rays& rays, std::size_t parent, LightPart part, ToldRay::Kind kind) {
+    static Rgb implied(const Rays& rays, std::size_t parent, const std::vector<std::size_t>& children, LightPart part, ToldRay::Kind kind) {
         const Rgb sum = *rays[parent].part(part);
-        for (const std::size_t child : children(rays, parent)) {
+        for (const std::size_t child : children) {
             const std::optional<Rgb>& light = rays[child].part(LightPart::radiance);
             if (rays[child].kind == kind && light && light->r > 0.0 && light->g > 0.0 && light->b > 0.0) return sum / *light;
         }
@@ -238,6 +276,7 @@ private:
     const ToldCamera* camera_;
     double tolerance_;
     int deepest_a_, deepest_b_;
+    Children children_a_, children_b_;
     std::optional<Divergence> found_;
 };
 

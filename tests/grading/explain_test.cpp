@@ -173,5 +173,23 @@ TEST(Causes, AllHaveWords) {
     }
 }
 
+/// A record may be any number of rays deep, on any stack: each further ray is the only one of the ray before it.
+TEST(Explain, RecordsOfManyRaysInARowAreWalked) {
+    ToldPixel a;
+    std::vector<ToldRay> rays(300'000);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i].kind = i == 0 ? ToldRay::Kind::camera : ToldRay::Kind::refraction;
+        rays[i].parent = i == 0 ? ToldRay::none : i - 1;
+        rays[i].hit.emplace();
+    }
+    a.samples = {rays};
+    ToldPixel b = a;
+    EXPECT_EQ(first_divergence(a, b, tolerance), std::nullopt);
+    b.samples[0].back().hit->object = 7;
+    const std::optional<Divergence> found = first_divergence(a, b, tolerance);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->ray_a, rays.size() - 1);
+}
+
 }  // namespace
 }  // namespace rt
