@@ -15,7 +15,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 8> flags{"-fresnel", "-altbrdf", "-beers", "-sds", "-normals", "-gi"};
+constexpr std::array<std::string_view, 6> flags{"-fresnel", "-altbrdf", "-beers", "-sds", "-normals", "-gi"};
 /// Ours that no course option resembles.
 constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
 constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};

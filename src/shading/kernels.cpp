@@ -7,7 +7,10 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t distributions = 5, maskings = 7, fresnels = 7;  // values of the enumerations, which count from 0
+// The enumerations count from 0 to these.
+constexpr std::size_t distributions = 1 + static_cast<std::size_t>(Distribution::gaussian);
+constexpr std::size_t maskings = 1 + static_cast<std::size_t>(Masking::none);
+constexpr std::size_t fresnels = 1 + static_cast<std::size_t>(Fresnel::conductor);
 
 constexpr std::size_t place(Distribution D, Masking G, Fresnel F) {
     return (static_cast<std::size_t>(D) * maskings + static_cast<std::size_t>(G)) * fresnels + static_cast<std::size_t>(F);

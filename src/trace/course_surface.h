@@ -28,7 +28,7 @@ inline double blinn_phong(double n_dot_h, double roughness) {
 /// One of the two factors of GGX's masking (Walter et al. 2007): 2 / (1 + sqrt(1 + alpha^2 tan^2)).
 inline double masking_ggx(double cos, double alpha) {
     if (!(cos > 0.0)) return 0.0;
-    return 2.0 * cos / (cos + std::sqrt(cos * cos + alpha * alpha * (1.0 - cos * cos)));
+    return 2.0 * cos / (cos + smith_ggx_root(incline(cos), alpha));
 }
 
 /// Between l and v; the zero vector where they are opposite and nothing is.
