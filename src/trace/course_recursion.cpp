@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 
+#include "shading/course_terms.h"
 #include "shading/optics.h"
 #include "world/surface_index.h"
 

@@ -1,6 +1,7 @@
 // The course's rules, one by one, in scenes whose answers can be written down.
 #include <gtest/gtest.h>
 
+#include "shading/course_terms.h"
 #include "tests/trace/tracer_scene.h"
 #include "trace/course_surface.h"
 #include "trace/pixel_rays.h"
