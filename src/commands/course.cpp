@@ -12,6 +12,7 @@
 #include "commands/help.h"
 #include "commands/job_steps.h"
 #include "commands/names.h"
+#include "commands/pixel_page.h"
 #include "commands/ray_tree_json.h"
 #include "commands/session.h"
 #include "commands/surroundings.h"
@@ -23,10 +24,7 @@ namespace rt {
 
 namespace {
 
-/// The pixel's own place in the picture: its rows are counted from the top, the course's on the command line from the bottom.
-int row_from_top(const CourseArguments& arguments) {
-    return arguments.job.profile == Profile::csc473 ? arguments.job.height - 1 - arguments.y : arguments.y;
-}
+int row_from_top(const CourseArguments& arguments) { return row_from_top(arguments.job, arguments.y); }
 
 Ray ray_of_centre(const CourseArguments& arguments, const CameraBasis& camera) {
     return camera_ray(camera, arguments.x + 0.5, row_from_top(arguments) + 0.5, arguments.job.width, arguments.job.height);
@@ -105,6 +103,7 @@ int printrays(CourseArguments arguments) {
 }
 
 int pixeltrace(CourseArguments arguments) {
+    if (arguments.page) return write_pixel_page(std::move(arguments));
     const TracedPixel traced = trace(arguments);
     write_stdout(arguments.json ? ray_tree_json(traced) : pixeltrace_text(traced.name, traced.scene, traced.rays.samples));
     return 0;
@@ -122,7 +121,7 @@ struct Command {
     int (*run)(CourseArguments arguments);
 };
 
-constexpr bool size = true, pixel = true, tree = true;
+constexpr bool size = true, pixel = true, tree = true, page = true;
 constexpr std::array<Command, 9> commands{{{{"render", size, !pixel}, render_course},
                                            {{"raycast", size, !pixel}, raycast},
                                            {{"sceneinfo", !size, !pixel}, sceneinfo},
@@ -130,7 +129,7 @@ constexpr std::array<Command, 9> commands{{{{"render", size, !pixel}, render_cou
                                            {{"firsthit", size, pixel}, firsthit},
                                            {{"pixelcolor", size, pixel}, pixelcolor},
                                            {{"printrays", size, pixel, tree}, printrays},
-                                           {{"pixeltrace", size, pixel, tree}, pixeltrace},
+                                           {{"pixeltrace", size, pixel, tree, page}, pixeltrace},
                                            {{"printbvh", !size, !pixel}, printbvh}}};
 
 }  // namespace

@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 6> flags{"-fresnel", "-altbrdf", "-beers"
 /// Ours that no course option resembles.
 constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
 constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};
+constexpr std::array<std::string_view, 3> page_options{"--html", "--grid", "--pixel"};
 constexpr int most_samples = 1 << 20;
 constexpr int most_bounces = 16;
 
@@ -81,7 +82,9 @@ void check_option(const CourseUsage& usage, const std::string& word) {
     if (is_one_of(known, name)) return;
     known.insert(known.end(), {"-ss", "-gi_samples", "-gi_bounces"});
     if (name == "--json") throw OptionError("option '--json' goes with printrays and pixeltrace");
+    if (is_one_of(page_options, name) && !usage.page) throw OptionError(fmt::format("option '{}' goes with pixeltrace", name));
     if (usage.tree) known.emplace_back("--json");
+    if (usage.page) known.insert(known.end(), page_options.begin(), page_options.end());
     known.insert(known.end(), flags.begin(), flags.end());
     throw OptionError(fmt::format("unknown option '{}'{}", name, did_you_mean(name, known)));
 }
@@ -91,22 +94,46 @@ struct Sorted {
     Words positions, ours;
     CourseOptions course;
     bool json = false;
+    Words page;                       ///< pairs of an option and its value
+    Words again;                      ///< all but those
+    std::vector<std::size_t> places;  ///< of the positions in `again`
+
+    void take_position(const std::string& word) {
+        positions.push_back(word);
+        places.push_back(again.size());
+        again.push_back(word);
+    }
 };
+
+/// Takes the option at `i` and its value if it is one about the page.
+bool accept_page(const CourseUsage& usage, const Words& words, std::size_t& i, Words& page) {
+    const std::size_t equals = words[i].find('=');
+    const std::string name = words[i].substr(0, equals);
+    if (!usage.page || !is_one_of(page_options, name)) return false;
+    if (equals == std::string::npos && i + 1 == words.size()) throw OptionError(fmt::format("option '{}' needs a value", name));
+    page.push_back(name);
+    page.push_back(equals == std::string::npos ? words[++i] : words[i].substr(equals + 1));
+    if (page.back().empty()) throw OptionError(fmt::format("option '{}' needs a value", name));
+    return true;
+}
 
 Sorted sort_words(const CourseUsage& usage, const Words& words) {
     Sorted sorted;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
+        if (accept_page(usage, words, i, sorted.page)) continue;
         if (word == "--") {
-            sorted.positions.insert(sorted.positions.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
+            sorted.again.push_back(word);
+            while (++i < words.size()) sorted.take_position(words[i]);
             break;
         }
         const bool number = word.size() > 1 && word.find_first_not_of("0123456789.", 1) == word.npos;  // -3 is a pixel outside
         const bool option = word.size() > 1 && (word[0] == '-' || word[0] == '+') && !number;
         if (!option) {
-            sorted.positions.push_back(word);
+            sorted.take_position(word);
             continue;
         }
+        sorted.again.push_back(word);
         if (accept(sorted.course, word)) continue;
         if (word == "--json" && usage.tree) {
             sorted.json = true;
@@ -115,7 +142,9 @@ Sorted sort_words(const CourseUsage& usage, const Words& words) {
         check_option(usage, word);
         sorted.ours.push_back(word);
         const bool separate = word == "-ss" || render_option_takes_value(word);
-        if (separate && i + 1 < words.size()) sorted.ours.push_back(words[++i]);
+        if (!separate || i + 1 == words.size()) continue;
+        sorted.ours.push_back(words[++i]);
+        sorted.again.push_back(words[i]);
     }
     return sorted;
 }
@@ -129,6 +158,30 @@ CourseRules rules_of(const CourseOptions& options) {
     rules.indirect_samples = options.samples;
     if (options.bounces) rules.indirect_samples.resize(static_cast<std::size_t>(*options.bounces), options.samples.back());
     return rules;
+}
+
+/// What stands behind --pixel, as numbers inside of the picture.
+std::pair<int, int> pixel_of(const std::string& text, const RenderJob& job) {
+    const std::vector<std::string> numbers = split(text, ',');
+    if (numbers.size() != 2) throw OptionError(fmt::format("--pixel: expected X,Y, found '{}'", printable(text, 40)));
+    return {whole_number("--pixel: x", numbers[0], 0, job.width - 1), whole_number("--pixel: y", numbers[1], 0, job.height - 1)};
+}
+
+std::optional<PixelPageRequest> page_of(const Sorted& sorted, const CourseArguments& arguments) {
+    if (sorted.page.empty()) return {};
+    PixelPageRequest page;
+    page.pixels.emplace_back(arguments.x, arguments.y);
+    for (std::size_t i = 0; i < sorted.page.size(); i += 2) {
+        const std::string &name = sorted.page[i], &value = sorted.page[i + 1];
+        if (name == "--html") page.file = value;
+        if (name == "--grid") page.grid = whole_number(name, value, 0, std::max(arguments.job.width, arguments.job.height));
+        if (name == "--pixel") page.pixels.push_back(pixel_of(value, arguments.job));
+    }
+    if (page.file.empty()) throw OptionError(fmt::format("option '{}' goes with --html FILE", sorted.page[0]));
+    if (sorted.json) throw OptionError("--html and --json are two forms of one answer: choose one");
+    page.words = sorted.again;
+    page.x_word = sorted.places[3], page.y_word = sorted.places[4];
+    return page;
 }
 
 }  // namespace
@@ -150,6 +203,7 @@ CourseArguments parse_course_arguments(const CourseUsage& usage, const Words& wo
         arguments.x = whole_number("x", at[3], 0, arguments.job.width - 1);
         arguments.y = whole_number("y", at[4], 0, arguments.job.height - 1);
     }
+    arguments.page = page_of(sorted, arguments);
     return arguments;
 }
 

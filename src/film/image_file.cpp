@@ -8,7 +8,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 
 #include "core/source.h"
 #include "film/oiio_module.h"
@@ -139,11 +141,23 @@ void write_image(const Film& film, const std::string& path, ImageFormat format, 
 
 void check_image_target(const std::string& path, ImageFormat format) {
     if (format != ImageFormat::png && format != ImageFormat::ppm) (void)image_module();
+    check_file_target(path);
+}
+
+void check_file_target(const std::string& path) {
     struct stat info {};
     const bool exists = stat(path.c_str(), &info) == 0;
     const bool replaceable = !exists || S_ISREG(info.st_mode) || S_ISDIR(info.st_mode);
     // Opening a pipe would already tell its reader that something comes.
     if (path != "-" && replaceable) const OutputFile probe(path);
+}
+
+std::string png_bytes(const Film& film, const Encoding& encoding, const ImageMetadata& metadata) {
+    const ScratchFile scratch;
+    write_image(film, scratch.path(), ImageFormat::png, encoding, metadata);
+    std::ostringstream bytes;
+    bytes << std::ifstream(scratch.path(), std::ios::binary).rdbuf();
+    return std::move(bytes).str();
 }
 
 namespace {

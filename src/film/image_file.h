@@ -39,6 +39,11 @@ void write_image(const Film& film, const std::string& path, ImageFormat format, 
 /// Throws what write_image() would throw at once for such a target (missing folder, no permission, module not installed), so that nobody
 /// waits for a picture that cannot be written. Leaves no trace.
 void check_image_target(const std::string& path, ImageFormat format);
+/// The same for a file that is no picture.
+void check_file_target(const std::string& path);
+
+/// The bytes that write_image() writes as PNG. Throws OutputError.
+std::string png_bytes(const Film& film, const Encoding& encoding, const ImageMetadata& metadata);
 
 /// A picture as stored: 8- and 16-bit formats hold integers in 0..max_value, float formats hold linear floats (max_value 0).
 struct StoredImage {

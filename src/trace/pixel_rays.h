@@ -1,6 +1,8 @@
-// One pixel of a picture, explained: the light it has in the picture, and every ray that brought it.
+// Pixels of a picture, explained: the light they have in the picture, and every ray that brought it.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "trace/render.h"
@@ -15,5 +17,17 @@ struct PixelRays {
 /// Pixel (x, y) of the picture that `options` describe, counted from the top left, with the rays of its samples: one, or those of a grid
 /// (with anti-aliasing that looks at the neighbours, the one through the centre). `x` and `y` are inside the picture.
 PixelRays trace_pixel(const World& world, RenderOptions options, int x, int y);
+
+/// Column and row, counted from the top left.
+struct PixelPlace {
+    int x = 0, y = 0;
+    bool operator==(const PixelPlace&) const = default;
+};
+
+/// Takes the samples of the pixel with this number, as trace_pixel() has them. Called once for each, by several threads at a time.
+using TakeRays = std::function<void(std::size_t number, const std::vector<RayLog>& samples)>;
+
+/// Rays of many pixels, on `options.threads` threads. False if `options.stop` was raised before the last one.
+bool trace_pixels(const World& world, const RenderOptions& options, std::span<const PixelPlace> places, const TakeRays& take);
 
 }  // namespace rt

@@ -23,6 +23,7 @@ ROOMS = {
     "film": {"core"},
     "trace": {"core", "shading", "world", "film"},
     "grading": {"core", "film"},
+    "pages": set(),
 }
 ALL_ROOMS = set(ROOMS) | {"commands"}
 

@@ -1,0 +1,81 @@
+// What the scripts of all pages share: making elements, numbers as text, colours of light.
+"use strict";
+
+const pageData = JSON.parse(document.getElementById("data").textContent);
+
+/** An element with attributes and children; texts become text, never markup. What is null is left out. */
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) if (value !== null) element.setAttribute(name, value);
+  element.append(...children.flat().filter((child) => child !== null));
+  return element;
+}
+
+function byId(id) {
+  return document.getElementById(id);
+}
+
+/** JSON has no infinity: the data holds "Infinity", "-Infinity" and "NaN". */
+function numbers(values) {
+  return values.map(Number);
+}
+
+/** Five decimals where they say something; an exponent where they would not. */
+function shortNumber(x) {
+  if (x === 0 || !Number.isFinite(x)) return String(x);
+  const size = Math.abs(x);
+  return size >= 1e-4 && size < 1e6 ? x.toFixed(5) : x.toExponential(3);
+}
+
+/** A number whose `value` has every digit; `showAllDigits` chooses what is seen. */
+function numberElement(x) {
+  const value = Number(x);
+  return make("data", { value: String(value), class: value === 0 ? "zero" : null }, allDigits ? String(value) : shortNumber(value));
+}
+
+let allDigits = false;
+
+function showAllDigits(all) {
+  allDigits = all;
+  for (const element of document.querySelectorAll("data[value]")) {
+    const value = Number(element.value);
+    element.textContent = all ? String(value) : shortNumber(value);
+  }
+}
+
+function vectorElement(vector) {
+  return make("span", { class: "triple" }, vector.map(numberElement));
+}
+
+/** A share of 1 as percent; none where it cannot be said. */
+function percentText(share) {
+  if (!Number.isFinite(share)) return "–";
+  const percent = 100 * share;
+  if (percent !== 0 && Math.abs(percent) < 0.05) return percent < 0 ? "> −0.1 %" : "< 0.1 %";
+  return `${percent.toFixed(1)} %`;
+}
+
+function shareBar(share) {
+  const width = Number.isFinite(share) ? Math.min(Math.max(share, 0), 1) : 0;
+  const fill = make("span");
+  fill.style.width = `${100 * width}%`;
+  return make("span", { class: "share", "aria-hidden": "true" }, fill);
+}
+
+/** A channel in the scene's working space as a picture shows it, 0 to 255. `working`: "raw", "srgb" or the exponent to linear light. */
+function shownByte(value, working) {
+  const clamped = Math.min(Math.max(Number(value) || 0, 0), 1);
+  if (working === "raw" || working === "srgb") return Math.round(255 * clamped);
+  const linear = clamped ** working;
+  return Math.round(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055));
+}
+
+function swatch(bytes) {
+  const element = make("span", { class: "swatch", "aria-hidden": "true" });
+  element.style.backgroundColor = `rgb(${bytes.slice(0, 3).join(" ")})`;
+  return element;
+}
+
+function lightSwatch(rgb, working) {
+  return swatch(rgb.map((value) => shownByte(value, working)));
+}
