@@ -13,7 +13,7 @@ namespace rt {
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
     "Commands: requires compare explain brdf help version; topics of help: povray\n"
-    "scene shading edges sampling output course exit. POV-Ray's work too: +W320 ...";
+    "scene shading edges sampling output course pixel exit. POV-Ray's too: +W320";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -173,8 +173,9 @@ raytrace raycast SCENE WIDTH HEIGHT      pigments alone
 raytrace sceneinfo | printbvh SCENE      what it says; boxes halved in x, y, z
 raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
   a pixel's ray, what it meets, its colour, all its rays as a list or a tree
-  (--json: with every number). X and Y count from 0 at the bottom left (with
-  --profile povray: top left); the numbers are the picture's.
+  (--json: with every number; pixeltrace --html FILE: a page, see help pixel).
+  X and Y count from 0 at the bottom left (with --profile povray: top left); the
+  numbers are the picture's.
 
 -ss=N     N x N rays a pixel           -fresnel  glass mirrors by Schlick's law
 -altbrdf  Cook-Torrance, GGX           -beers    glass fades with its thickness
@@ -184,6 +185,26 @@ raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
 Mirrored and transmitted rays begin 0.001 along themselves, shadow rays 0.001
 along the normal; six follow the camera's. Our long options and -o -q -t -L work
 too; --shading povray or another tells of that, --profile povray of our picture.
+)";
+
+constexpr const char* pixel_topic =
+    R"(Why a pixel looks as it does: every ray that brought its light, with the
+picture's own numbers, by the course's rules or (--profile povray) any other.
+
+raytrace pixeltrace SCENE W H X Y                 a tree to read
+raytrace pixeltrace SCENE W H X Y --json          every number, for programs
+raytrace pixeltrace SCENE W H X Y --html FILE     a page for a browser
+raytrace explain A B                              where two records part, and why
+
+The page holds the picture; a click on it shows the rays of the nearest traced
+pixel as a tree and in space, with what each ray brings. It is one file, needs
+no network, and FILE#X,Y opens it at a pixel.
+--grid N        every N pixels one is traced (0: only those asked for); without
+                it as many as make a page of a few megabytes
+--pixel X,Y     one more pixel, may be repeated
+Of a pixel asked for it tells at most 500 rays, of one on the grid 100: those
+nearest to the camera; --json tells all. A page of more than 60000 rays is not
+made. --shading, -ss=N, -fresnel ... are those of the picture.
 )";
 
 constexpr const char* exit_topic =
@@ -199,8 +220,8 @@ constexpr const char* exit_topic =
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
-    {"povray", povray_topic},     {"scene", scene_topic},   {"shading", ""},          {"edges", edges_topic},
-    {"sampling", sampling_topic}, {"output", output_topic}, {"course", course_topic}, {"exit", exit_topic},
+    {"povray", povray_topic}, {"scene", scene_topic},   {"shading", ""},        {"edges", edges_topic}, {"sampling", sampling_topic},
+    {"output", output_topic}, {"course", course_topic}, {"pixel", pixel_topic}, {"exit", exit_topic},
 };
 
 }  // namespace

@@ -73,17 +73,22 @@ void lay_grid(PixelPage& page, int spacing) {
             if (!page.asked.contains({x, y})) page.grid.places.push_back({x, y});
 }
 
+/// The pixels asked for, and the grid asked for or one of the usual size.
+void choose_pixels(PixelPage& page) {
+    ask(page);
+    const double pixels = static_cast<double>(page.job.width) * page.job.height;
+    lay_grid(page, page.request.grid.value_or(std::max(1, static_cast<int>(std::lround(std::sqrt(pixels / usual_pixels))))));
+}
+
 /// False after a stop.
 bool trace(const PixelPage& page, TracedPixels& pixels, std::size_t most_of_a_pixel) {
     pixels.texts = pixel_texts(page.world, page.scene, page.options, pixels.places, most_of_a_pixel, most_rays);
     return pixels.texts.complete;
 }
 
-/// The pixels asked for, and the grid asked for or the finest whose rays the page bears. False after a stop.
+/// Traces the chosen pixels; the grid becomes coarser while it has more rays than a page bears, unless it was asked for. False after a
+/// stop.
 bool trace(PixelPage& page) {
-    ask(page);
-    const double pixels = static_cast<double>(page.job.width) * page.job.height;
-    lay_grid(page, page.request.grid.value_or(std::max(1, static_cast<int>(std::lround(std::sqrt(pixels / usual_pixels))))));
     if (!trace(page, page.asked, most_of_an_asked_pixel) || !trace(page, page.grid, most_of_a_grid_pixel)) return false;
     while (!page.request.grid && page.grid.texts.rays > usual_rays && page.grid.places.size() > 1) {
         const double coarser = std::sqrt(static_cast<double>(page.grid.texts.rays) / static_cast<double>(usual_rays));
@@ -175,6 +180,7 @@ bool render_and_trace(PixelPage& page, const StopOnSignal& signals) {
     page.options = render_options(page.job, page.scene);
     page.options.trace.environment = read_surroundings(page.job.environment);
     page.options.stop = &signals.stop();
+    choose_pixels(page);
     RenderResult result = render(page.world, page.options);
     page.film = std::move(result.film);
     return result.complete && trace(page);

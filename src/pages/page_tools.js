@@ -33,11 +33,16 @@ function numberElement(x) {
   return make("data", { value: String(value), class: value === 0 ? "zero" : null }, allDigits ? String(value) : shortNumber(value));
 }
 
+/** A number that counts something. */
+function countElement(x) {
+  return make("data", { value: String(x), class: "count" }, String(x));
+}
+
 let allDigits = false;
 
 function showAllDigits(all) {
   allDigits = all;
-  for (const element of document.querySelectorAll("data[value]")) {
+  for (const element of document.querySelectorAll("data:not(.count)")) {
     const value = Number(element.value);
     element.textContent = all ? String(value) : shortNumber(value);
   }

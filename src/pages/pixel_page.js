@@ -209,6 +209,7 @@ function listen() {
   byId("close-all").addEventListener("click", () => tree.openAll(false));
   byId("paths-in").addEventListener("click", () => paths.zoom(1.5));
   byId("paths-out").addEventListener("click", () => paths.zoom(1 / 1.5));
+  byId("paths-fit").addEventListener("click", () => paths.fit());
   for (const button of document.querySelectorAll("[data-view]")) button.addEventListener("click", () => paths.look(button.dataset.view));
   byId("normals").addEventListener("change", (event) => {
     paths.normals = event.target.checked;

@@ -104,7 +104,7 @@ class RayTree {
   facts(ray, index) {
     const list = make("dl", { class: "facts" });
     const fact = (name, field, ...values) => list.append(make("dt", {}, name), make("dd", { "data-field": field }, ...values));
-    fact("Level", "level", numberElement(ray.level), " · weight ", numberElement(ray.weight));
+    fact("Level", "level", countElement(ray.level), " · weight ", numberElement(ray.weight));
     if (ray.parent !== null) fact(`Factor in ray ${ray.parent + 1}`, "factor", vectorElement(ray.factor));
     if (Number(ray.exponent) !== 1) fact("Exponent", "exponent", numberElement(ray.exponent));
     fact("Factor in the pixel", "path", vectorElement(this.paths[index]));

@@ -1,4 +1,4 @@
-// The paths of a sample's rays in space, orthographic, turned by dragging or by arrow keys.
+// The paths of a sample's rays in space, orthographic, turned by dragging or by arrow keys, moved by dragging with Shift.
 "use strict";
 
 const vec = {
@@ -47,10 +47,8 @@ class RayView {
 
   show(rays) {
     this.rays = rays;
-    this.magnified = 1;
-    this.frame();
-    this.svg.setAttribute("aria-label", `The paths of ${rays.length} rays in space. Arrow keys turn them.`);
-    this.draw();
+    this.svg.setAttribute("aria-label", `The paths of ${rays.length} rays in space. Arrow keys turn them, plus and minus zoom, 0 fits.`);
+    this.fit();
   }
 
   /** The sphere that is seen: the points where rays meet surfaces, and some space around a lone one. */
@@ -147,14 +145,31 @@ class RayView {
     }
   }
 
-  zoom(factor) {
+  /** The point of space at (x, y) from the middle of the screen, in its middle plane, comes by (x, y) nearer to the middle. */
+  pan(x, y) {
+    this.middle = vec.add(this.middle, this.axes[0], x / this.zoomScale);
+    this.middle = vec.add(this.middle, this.axes[1], -y / this.zoomScale);
+  }
+
+  /** What is at (x, y) from the middle of the screen stays there. */
+  zoom(factor, x = 0, y = 0) {
+    this.pan(x, y);
     this.magnified = Math.min(Math.max(this.magnified * factor, 0.02), 1000);
+    this.pan(-x, -y);
+    this.draw();
+  }
+
+  fit() {
+    this.magnified = 1;
+    this.frame();
     this.draw();
   }
 
   wheeled(event) {
     event.preventDefault();
-    this.zoom(2 ** (-event.deltaY / 300));
+    const box = this.svg.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
+    this.zoom(2 ** (-event.deltaY / 300), x, y);
   }
 
   typed(event) {
@@ -164,6 +179,7 @@ class RayView {
     if (turn) this.turn(...turn);
     else if (event.key === "+" || event.key === "=") this.zoom(1.25);
     else if (event.key === "-") this.zoom(0.8);
+    else if (event.key === "0") this.fit();
     else return;
     event.preventDefault();
   }
@@ -172,7 +188,12 @@ class RayView {
     if (event.button !== 0) return;
     let [x, y] = [event.clientX, event.clientY];
     const move = (next) => {
-      this.turn((next.clientX - x) / 120, (next.clientY - y) / 120);
+      if (event.shiftKey) {
+        this.pan(x - next.clientX, y - next.clientY);
+        this.draw();
+      } else {
+        this.turn((next.clientX - x) / 120, (next.clientY - y) / 120);
+      }
       [x, y] = [next.clientX, next.clientY];
     };
     const end = () => {

@@ -46,6 +46,10 @@ MAIN_LINES = 60
 UNFINISHED = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "X" + "XX"]) + r")\b")
 LEAVES_PROGRAM = re.compile(r"\b(?:std::)?(?:_?exit|_Exit|quick_exit|abort|terminate)\s*\(")
 PRINTS = re.compile(r"\bfmt::print\b|\bstd::(?:cout|cerr|clog)\b|\b(?:std::)?(?:printf|puts|putchar)\s*\(")
+# Pages ask the network for nothing and keep behaviour out of their markup.
+ADDRESS = re.compile(r"""\b[a-z]+://|["'(]//|@import\b""")
+HANDLER = re.compile(r"<[^>]*\son[a-z]+\s*=")
+ASSETS = (".html", ".css", ".js")
 SCOPE = re.compile(r"^\s*(?:template\s*<.*?>\s*)?(?:inline\s+|typedef\s+|extern\s+)*(?:namespace|class|struct|union|enum|extern)\b", re.S)
 
 
@@ -131,12 +135,20 @@ class Check:
             if not inner.startswith(("commands/", "main.cpp")) and PRINTS.search(line):
                 self.report(path, number, "only commands print")
 
+    def check_asset(self, path, text):
+        for number, line in enumerate(text.splitlines(), 1):
+            if ADDRESS.search(line):
+                self.report(path, number, "a page asks for nothing outside of itself")
+            if HANDLER.search(line):
+                self.report(path, number, "behaviour belongs in a script, not in markup")
+
     def check_sizes(self, path, text):
         lines = text.count("\n")
         limit = MAIN_LINES if path == self.src / "main.cpp" else FILE_LINES
         if lines > limit:
             self.report(path, lines, f"{lines} lines, at most {limit} are allowed")
-        for first, last in functions(text) if path.is_relative_to(self.src) else []:  # a test's body is mostly its table of cases
+        code = path.suffix in (".h", ".cpp") and path.is_relative_to(self.src)
+        for first, last in functions(text) if code else []:  # a test's body is mostly its table of cases
             if last - first + 1 > FUNCTION_LINES:
                 self.report(path, first, f"a function of {last - first + 1} lines, at most {FUNCTION_LINES} are allowed")
         for number, line in enumerate(text.splitlines(), 1):
@@ -158,7 +170,12 @@ class Check:
             text = path.read_text()
             self.check_includes(path, text)
             self.check_words(path, text)
-        for path in sources + [p for p in sorted((self.root / "tests").rglob("*")) if p.suffix in (".h", ".cpp")]:
+        assets = [p for p in sorted(self.src.rglob("*")) if p.suffix in ASSETS]
+        for path in assets:
+            self.check_asset(path, path.read_text())
+            if path.parent != self.src / "pages":
+                self.report(path, 1, "page assets stand in the room pages")
+        for path in sources + assets + [p for p in sorted((self.root / "tests").rglob("*")) if p.suffix in (".h", ".cpp")]:
             self.check_sizes(path, path.read_text())
         if headers:
             self.check_headers()

@@ -26,6 +26,12 @@ BREACHES = {
     "61 lines, at most 60": ("src/main.cpp", "\n" * 61),
     "a function of 62 lines": ("src/core/a.cpp", "namespace rt {\nclass A {\n" + LONG_FUNCTION + "};\n}\n"),
     "a function of 64 lines": ("src/scene/a.cpp", "A::A(int n) : a_{n}, b_(n) {\n" + "    // {\n" + LONG_FUNCTION[10:-2] + "\n}\n"),
+    "room pages may not include room core": ("src/pages/a.cpp", '#include "core/vec.h"\n'),
+    "page assets stand in the room pages": ("src/commands/a.css", "p {}\n"),
+    "a page asks for nothing": ("src/pages/a.js", 'fetch("https://example.org/");\n'),
+    "a page asks for nothing outside": ("src/pages/a.css", "p { background: url(//example.org/a.png) }\n"),
+    "behaviour belongs in a script": ("src/pages/a.html", '<p class="a" onclick="f()">\n'),
+    "402 lines, at most 400": ("src/pages/a.js", "\n" * 402),
     "unfinished work": ("src/core/a.h", "// TO" + "DO: later\n"),
 }
 

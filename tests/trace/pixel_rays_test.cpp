@@ -1,0 +1,92 @@
+// Rays of many pixels: those that one pixel alone has, and their light is the picture's, on any number of threads.
+#include "trace/pixel_rays.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/trace/tracer_scene.h"
+
+namespace rt {
+namespace {
+
+/// A ball of glass before a mirror over a checkered plane.
+World small_world() {
+    using namespace tracer_test;
+    Scene scene;
+    scene.camera.location = Vec3(0.0, 1.5, -5.0);
+    scene.lights = {point_light(Vec3(5.0, 8.0, -5.0)), point_light(Vec3(-3.0, 4.0, -6.0), Rgb(0.3, 0.4, 0.5))};
+    Finish mirror = plain(Rgb(0.1), 0.5);
+    mirror.reflection.min = mirror.reflection.max = Rgb(0.6);
+    Interior glass;
+    glass.ior = 1.5;
+    scene.objects.push_back(object(Sphere{Vec3(-0.8, 1.0, 1.0), 1.0}, texture(color(Rgb(0.8, 0.3, 0.2)), mirror)));
+    scene.objects.push_back(object(Sphere{Vec3(0.5, 1.0, -1.0), 0.9}, texture(color(Rgb(0.9, 1.0, 0.9), 0.8), mirror), glass));
+    scene.objects.push_back(
+        object(Plane{Vec3(0.0, 1.0, 0.0), 0.0}, texture(checker(color(Rgb(0.9)), color(Rgb(0.1, 0.2, 0.1))), plain(Rgb(0.1), 0.7))));
+    return compile(scene, {}, [](std::string_view) {});
+}
+
+std::vector<PixelPlace> every_third(int width, int height) {
+    std::vector<PixelPlace> places;
+    for (int y = 1; y < height; y += 3)
+        for (int x = 1; x < width; x += 3) places.push_back({x, y});
+    return places;
+}
+
+class PixelRaysTest : public testing::TestWithParam<int> {
+protected:
+    PixelRaysTest() : world(small_world()) {
+        options.width = 32, options.height = 24;
+        options.threads = GetParam();
+        options.sampling.method = Sampling::Method::grid;
+        options.sampling.depth = 2;
+    }
+    World world;
+    RenderOptions options;
+};
+
+TEST_P(PixelRaysTest, AverageToThePicture) {
+    const Film film = render(world, options).film;
+    const std::vector<PixelPlace> places = every_third(options.width, options.height);
+    std::vector<int> calls(places.size(), 0);
+    std::vector<std::vector<RayLog>> rays(places.size());
+    EXPECT_TRUE(trace_pixels(world, options, places, [&](std::size_t i, const std::vector<RayLog>& samples) {
+        ++calls[i];
+        rays[i] = samples;
+    }));
+    EXPECT_EQ(calls, std::vector<int>(places.size(), 1));
+    std::size_t deep = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        ASSERT_EQ(rays[i].size(), 4u);
+        Rgb mean(0.0);
+        for (const RayLog& log : rays[i]) {
+            mean += log.nodes.front().radiance / 4.0;
+            deep += log.nodes.size() > 3;
+        }
+        const Pixel& pixel = film.at(places[i].x, places[i].y);
+        EXPECT_LT(length(mean - Rgb(pixel.r, pixel.g, pixel.b)), 1e-6) << places[i].x << ", " << places[i].y;
+        const PixelRays alone = trace_pixel(world, options, places[i].x, places[i].y);
+        EXPECT_EQ(alone.pixel, pixel);
+        for (std::size_t s = 0; s < 4; ++s) {
+            EXPECT_EQ(signature(alone.samples[s]), signature(rays[i][s]));
+            EXPECT_EQ(alone.samples[s].nodes.front().radiance, rays[i][s].nodes.front().radiance);
+        }
+    }
+    EXPECT_GT(deep, 20u);
+}
+
+TEST_P(PixelRaysTest, StopWhenAsked) {
+    std::atomic<bool> stop{false};
+    options.stop = &stop;
+    std::atomic<std::size_t> taken{0};
+    const std::vector<PixelPlace> places(1000, {16, 12});
+    EXPECT_FALSE(trace_pixels(world, options, places, [&](std::size_t, const std::vector<RayLog>&) {
+        ++taken;
+        stop = true;
+    }));
+    EXPECT_LT(taken, 100u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, PixelRaysTest, testing::Values(1, 3));
+
+}  // namespace
+}  // namespace rt
