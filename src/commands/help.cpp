@@ -194,7 +194,7 @@ picture's own numbers, by the course's rules or (--profile povray) any other.
 raytrace pixeltrace SCENE W H X Y                 a tree to read
 raytrace pixeltrace SCENE W H X Y --json          every number, for programs
 raytrace pixeltrace SCENE W H X Y --html FILE     a page for a browser
-raytrace explain A B                              where two records part, and why
+raytrace explain A B                              where two records part
 
 The page holds the picture; a click on it shows the rays of the nearest traced
 pixel as a tree and in space, with what each ray brings. It is one file, needs

@@ -84,9 +84,9 @@ function commandOf(x, y) {
 
 function distanceText(pixel) {
   const distance = Math.hypot(pixel.x - selected.x, pixel.row - selected.row);
-  if (distance === 0) return "the rays of this very pixel";
+  if (distance === 0) return "of this very pixel";
   const far = Number.isInteger(distance) ? distance : distance.toFixed(1);
-  return `the rays of the nearest traced pixel, ${pixel.x}, ${pixel.y}: ${far} ${distance === 1 ? "pixel" : "pixels"} away`;
+  return `of the nearest traced pixel, ${pixel.x}, ${pixel.y}: ${far} ${distance === 1 ? "pixel" : "pixels"} away`;
 }
 
 function showPixel() {
@@ -94,6 +94,7 @@ function showPixel() {
   byId("pixel-name").textContent = `Pixel ${x}, ${rowOf(row)}`;
   byId("pixel-color").replaceChildren(...colorOf(x, row));
   byId("pixel-shown").textContent = distanceText(pixel);
+  byId("pixel-light-name").textContent = pixel.x === x && pixel.row === row ? "Light" : "Light there";
   byId("pixel-light").replaceChildren(vectorElement(pixel.radiance), " ", lightSwatch(pixel.radiance, pageData.working));
   byId("pixel-command").textContent = commandOf(x, rowOf(row));
   const side = pageData.side;

@@ -30,7 +30,7 @@ class RayTree {
     for (const ray of rays) this.depths.push(ray.parent === null ? 0 : this.depths[ray.parent] + 1);
     this.items = rays.map((ray, index) => this.item(ray, index));
     this.list.replaceChildren(...this.items);
-    this.open(0);
+    if (rays.length === 1) this.open(0); // of several, the list itself says most
   }
 
   item(ray, index) {
@@ -180,7 +180,7 @@ class RayTree {
     };
     const rows = contributions.map((name) => row(name, ray[name], null));
     rows.push(row("radiance", ray.radiance, "sum"));
-    const table = this.table(["light along the ray", "red", "green", "blue", "", "of the pixel", ""], rows);
+    const table = this.table(["light", "red", "green", "blue", "", "of the pixel", ""], rows);
     return make("div", {}, make("h3", {}, "What the ray brings"), table);
   }
 }

@@ -51,9 +51,10 @@ class RayView {
     this.fit();
   }
 
-  /** The sphere that is seen: the points where rays meet surfaces, and some space around a lone one. */
+  /** The sphere that is seen: the points where rays that matter meet surfaces, and some space around a lone one. */
   frame() {
-    const points = this.rays.filter((ray) => ray.hit).map((ray) => numbers(ray.hit.point)).filter(vec.finite);
+    const matters = (ray) => ray.hit && (ray.parent === null || ray.weight >= 0.05);
+    const points = this.rays.filter(matters).map((ray) => numbers(ray.hit.point)).filter(vec.finite);
     const origin = numbers(this.rays[0].origin);
     if (points.length === 0) points.push(vec.add(origin, numbers(this.rays[0].direction)));
     const low = [0, 1, 2].map((c) => Math.min(...points.map((p) => p[c])));
@@ -94,7 +95,7 @@ class RayView {
   draw() {
     if (this.rays.length === 0 || this.svg.clientWidth === 0) return;
     this.groups = this.rays.map((ray, index) => this.group(ray, index));
-    this.svg.replaceChildren(...this.groups);
+    this.svg.replaceChildren(...this.groups, ...(this.shadows ? this.lamps() : []));
     this.light(this.lit ?? null);
   }
 
@@ -135,6 +136,17 @@ class RayView {
     const distance = light.toward ? Infinity : vec.length(way);
     const tip = vec.add(point, vec.unit(way), Math.min(distance, 8 * this.radius));
     return this.line(point, tip, shadow.hidden === shadow.samples ? "to-light hidden" : "to-light");
+  }
+
+  /** Those that the rays ask for, where they are; parallel ones are nowhere. */
+  lamps() {
+    const asked = new Set(this.rays.flatMap((ray) => (ray.hit ? ray.hit.shadows.map((shadow) => shadow.light) : [])));
+    return [...asked].filter((i) => this.lights[i] && !this.lights[i].toward).map((i) => {
+      const [cx, cy] = this.project(numbers(this.lights[i].location));
+      const lamp = this.element("g", { class: "to-light" });
+      lamp.append(this.element("circle", { cx, cy, r: 4.5 }), this.element("text", { x: cx + 8, y: cy + 4 }, `light ${i}`));
+      return lamp;
+    });
   }
 
   light(index) {

@@ -154,7 +154,7 @@ class PixelPageTest(unittest.TestCase):
             want = self.json_of(options, 43, 33)["pixel"]["color"]
             self.assertEqual(page.evaluate("byId('pixel-color').textContent").strip(), "({}, {}, {})".format(*want))
             shown = page.evaluate("byId('pixel-shown').textContent")
-            self.assertEqual(shown, "the rays of the nearest traced pixel, 40, 35: 3.6 pixels away")
+            self.assertEqual(shown, "of the nearest traced pixel, 40, 35: 3.6 pixels away")
             command = shlex.split(page.evaluate("byId('pixel-command').textContent"))
             self.assertEqual(command[0], "raytrace")
             text = run(*command[1:]).stdout.decode()
@@ -277,6 +277,8 @@ class PixelPageTest(unittest.TestCase):
     def test_numbers_are_short_or_whole(self):
         self.make(GENERAL, pixel=("40", "32"))
         page = self.open()
+        page.click_on("#rays > li summary")
+        page.wait("document.querySelector('#rays .body') !== null")
         direction = "document.querySelector('[data-field=direction] data').textContent"
         short = page.evaluate(direction)
         page.click_on("#digits")
