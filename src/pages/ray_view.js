@@ -143,8 +143,8 @@ class RayView {
     const asked = new Set(this.rays.flatMap((ray) => (ray.hit ? ray.hit.shadows.map((shadow) => shadow.light) : [])));
     return [...asked].filter((i) => this.lights[i] && !this.lights[i].toward).map((i) => {
       const [cx, cy] = this.project(numbers(this.lights[i].location));
-      const lamp = this.element("g", { class: "to-light" });
-      lamp.append(this.element("circle", { cx, cy, r: 4.5 }), this.element("text", { x: cx + 8, y: cy + 4 }, `light ${i}`));
+      const lamp = this.element("g", { class: "lamp" });
+      lamp.append(this.element("circle", { cx, cy, r: 4.5 }), this.element("text", { x: cx, y: cy - 9, "text-anchor": "middle" }, `light ${i}`));
       return lamp;
     });
   }
