@@ -94,6 +94,7 @@ class RayView {
 
   draw() {
     if (this.rays.length === 0 || this.svg.clientWidth === 0) return;
+    this.named = [];
     this.groups = this.rays.map((ray, index) => this.group(ray, index));
     this.svg.replaceChildren(...this.groups, ...(this.shadows ? this.lamps() : []));
     this.light(this.lit ?? null);
@@ -108,7 +109,7 @@ class RayView {
     if (ray.hit) {
       const [cx, cy] = this.project(to);
       group.append(this.element("circle", { cx, cy, r: 3 }));
-      if (this.rays.length <= 16) group.append(this.element("text", { x: cx + 6, y: cy + 13 }, String(index + 1)));
+      group.append(this.name(cx + 6, cy + 13, index));
     }
     const reach = this.line(from, to, "reach");
     reach.addEventListener("pointerenter", () => this.onLight(index));
@@ -116,6 +117,13 @@ class RayView {
     reach.addEventListener("click", () => this.onPick(index));
     group.append(reach);
     return group;
+  }
+
+  /** A ray's number, seen only while the ray is looked at where it would lie on another one's. */
+  name(x, y, index) {
+    const crowded = this.named.some(([nx, ny]) => Math.abs(nx - x) < 16 && Math.abs(ny - y) < 12);
+    if (!crowded) this.named.push([x, y]);
+    return this.element("text", { x, y, class: crowded ? "crowded" : "named" }, String(index + 1));
   }
 
   normal(point, direction) {
