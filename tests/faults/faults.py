@@ -14,7 +14,7 @@ CAMERA = "trace/camera.h"
 SURFACES = "world/surfaces.cpp"
 SAMPLING = "trace/sampling.cpp"
 PIXEL_RAYS = "trace/pixel_rays.cpp"
-ENCODE = "film/encode.cpp"
+ENCODING = "commands/encoding.cpp"
 
 U = (CAMERA, "u = [[x / width - 0.5]];")
 V = (CAMERA, "v = [[0.5 - y / height]];")
@@ -36,7 +36,6 @@ SHADOW_LIT = (COURSE, "way != Vec3(0.0) && [[lit(point, light)]];")
 TRANSMITTED_SHADOW = (LIGHTING, "arriving *= [[shadows_.transmitted(index, at, ray, view.inside, view.log != nullptr ? &answer : nullptr)]];")
 PIGMENT_ON_ENTRY = (COURSE, "CourseRules::beer_density) : [[point.surface.pigment]];")
 AREA_SHADOW = (SHADOW, "color * [[transmitted(index, at, ray, inside, log != nullptr ? &answer : nullptr)]];")
-QUANTISED = (ENCODE, "return level([[encode(value, encoding)]], encoding);")
 
 # name: (what is wrong, changes)
 FAULTS = {
@@ -258,8 +257,17 @@ FAULTS = {
         [(COURSE, f"light.{part} *= [[shares.local]]", "1.0") for part in ("ambient", "diffuse", "specular")],
     ),
     "no_background": ("rays that leave the scene bring nothing", [(POVRAY, ": [[world_.background]];", "Rgb(0.0)")]),
-    "gamma_twice": ("the picture's values are encoded for a screen once more", [(*QUANTISED, "encode_srgb(encode(value, encoding))")]),
-    "gamma_missing": ("the picture's values are not encoded for a screen", [(ENCODE, "if ([[encoding.raw || encoding.working == encoding.file]]) return value;", "true")]),
+    "gamma_twice": (
+        "the picture's values are encoded for a screen once more",
+        [
+            (ENCODING, "encoding.raw = [[gamma.kind == Gamma::Kind::legacy || job.profile == Profile::csc473]];", "false"),
+            (ENCODING, "Curve::Kind::power, [[gamma.power]]};", "job.profile == Profile::csc473 ? 1.0 : gamma.power / 2.2"),
+        ],
+    ),
+    "gamma_missing": (
+        "the picture's values are not encoded for a screen",
+        [(ENCODING, "encoding.raw = [[gamma.kind == Gamma::Kind::legacy || job.profile == Profile::csc473]];", "true")],
+    ),
     "no_antialiasing": (
         "a pixel has one sample",
         [
@@ -267,5 +275,8 @@ FAULTS = {
             (PIXEL_RAYS, "n = [[options.sampling.method == Sampling::Method::grid]] ?", "false"),
         ],
     ),
-    "black": ("the picture is black", [(ENCODE, "if ([[!(fraction > 0.0)]]) return 0;", "true")]),
+    "black": (
+        "the picture is black",
+        [(COURSE, f"[[overflowed(light.{c})]]", "0.0") for c in "rgb"] + [(POVRAY, f"[[overflowed(result.rgb.{c})]]", "0.0") for c in "rgb"],
+    ),
 }
