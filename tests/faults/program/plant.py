@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes copies of sources with the faults of faults.py in them, each behind a question whether it is selected.
 
-usage: tests/faults/plant.py --root FOLDER --out FOLDER
+usage: tests/faults/program/plant.py --root FOLDER --out FOLDER
 
 Of every file that a fault changes OUT has the copy, and OUT/faults_list.h lists the faults for faults.h. A file whose copy would be the same
 as before is left alone. src/ itself is only read. Exits with 1 and file, fault and text where a change does not find its place.
@@ -53,7 +53,7 @@ def with_include(text):
     """The question's header comes after a header's `#pragma once`, or first of all."""
     pragma = "#pragma once\n"
     at = text.index(pragma) + len(pragma) if pragma in text else 0
-    return text[:at] + '#include "tests/faults/faults.h"\n' + text[at:]
+    return text[:at] + '#include "tests/faults/program/faults.h"\n' + text[at:]
 
 
 def write(path, text):
@@ -75,7 +75,7 @@ def main():
         for file, changes in by_file.items():
             write(options.out / file, with_include(planted((options.root / "src" / file).read_text(), file, changes)))
     except Misplaced as error:
-        print(f"tests/faults/plant.py: {error}", file=sys.stderr)
+        print(f"tests/faults/program/plant.py: {error}", file=sys.stderr)
         return 1
     write(options.out / "faults_list.h", "".join(f'FAULT({name}, "{what}")\n' for name, (what, _) in FAULTS.items()))
     return 0

@@ -26,6 +26,6 @@ bool planted(Fault fault);
 /// Selects these faults alone, while nothing is traced.
 void select_faults(std::span<const Fault> faults);
 /// The same by names separated by commas; empty: none. Throws std::invalid_argument with all names if one is unknown.
-void select_faults(const std::string& names);
+void select_named_faults(const std::string& names);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-#include "tests/faults/faults.h"
+#include "tests/faults/program/faults.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ void select_faults(std::span<const Fault> faults) {
     for (const Fault fault : faults) selected[static_cast<std::size_t>(fault)] = true;
 }
 
-void select_faults(const std::string& names) {
+void select_named_faults(const std::string& names) {
     selected.fill(false);
     for (std::size_t begin = 0; begin < names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
