@@ -113,6 +113,7 @@ private:
         }
         at_.expect(")");
         end_of_line();
+        pixel_.rounded = true;
     }
 
     void end_of_line() {
@@ -187,7 +188,9 @@ private:
             shadow();
         } else if (at_.accept("Extra Info:")) {
             at_.skip(" \t");
-            if (!at_.accept("into-air") && !at_.accept("into-object")) at_.fail("Expected 'into-air' or 'into-object'");
+            const bool leaves = at_.accept("into-air");
+            if (!leaves && !at_.accept("into-object")) at_.fail("Expected 'into-air' or 'into-object'");
+            if (current().parent != ToldRay::none) pixel_.samples.back()[current().parent].hit->inside = leaves;
         } else if (!light() && !end()) {
             at_.fail("Expected a line of printrays or pixeltrace");
         }

@@ -37,15 +37,19 @@ std::string_view kind_name(ToldRay::Kind kind) { return kind == ToldRay::Kind::r
 /// The walk through one sample of both records; the first difference ends it.
 class Walk {
 public:
-    Walk(const Rays& a, const Rays& b, const ToldCamera* camera, double tolerance)
-        : a_(a),
-          b_(b),
-          camera_(camera),
+    Walk(const ToldPixel& a, const ToldPixel& b, std::size_t sample, double tolerance)
+        : a_(a.samples[sample]),
+          b_(b.samples[sample]),
+          camera_(a.camera   ? &*a.camera
+                  : b.camera ? &*b.camera
+                             : nullptr),
+          grid_(std::sqrt(static_cast<double>(a.samples.size()))),
+          rounded_(a.rounded || b.rounded),
           tolerance_(tolerance),
-          deepest_a_(deepest(a)),
-          deepest_b_(deepest(b)),
-          children_a_(children_of(a)),
-          children_b_(children_of(b)) {}
+          deepest_a_(deepest(a_)),
+          deepest_b_(deepest(b_)),
+          children_a_(children_of(a_)),
+          children_b_(children_of(b_)) {}
 
     std::optional<Divergence> from_camera() {
         if (!a_.empty() && !b_.empty()) compare_from_camera();
@@ -118,7 +122,7 @@ private:
         if (same_direction) return false;
         Cause cause = Cause::other;
         if (from_camera) {
-            cause = rules::camera_direction(a.ray.direction, b.ray.direction, camera_, tolerance_);
+            cause = rules::camera_direction(a.ray.direction, b.ray.direction, camera_, grid_, tolerance_);
         } else if (const ToldRay& parent = a_[a.parent]; parent.hit->normal) {
             cause = rules::direction(a.kind, a.ray.direction, b.ray.direction, parent.ray.direction, *parent.hit->normal, tolerance_);
         }
@@ -138,7 +142,11 @@ private:
 
     bool differ_in_factor(std::size_t i, std::size_t j) {
         const Rgb &a = *a_[i].factor, &b = *b_[j].factor;
-        return differ(i, j, rules::factor(a_[i].kind, a, b, tolerance_), "factor", text(a), text(b));
+        Cause cause = rules::factor(a_[i].kind, a, b, tolerance_);
+        // The mirror of what light also passes.
+        const bool passes = has_child(a_, children_a_[a_[i].parent], ToldRay::Kind::refraction);
+        if (cause == Cause::wrong_share && a_[i].kind == ToldRay::Kind::reflection && passes) cause = Cause::missing_fresnel;
+        return differ(i, j, cause, "factor", text(a), text(b));
     }
 
     bool hits(std::size_t i, std::size_t j) {
@@ -173,24 +181,44 @@ private:
         const bool shares_differ = sa && sb &&
                                    !(same(sa->local, sb->local, tolerance_) && same(sa->reflection, sb->reflection, tolerance_) &&
                                      same(sa->transmission, sb->transmission, tolerance_));
-        return shares_differ && differ(i, j, rules::shares(*sa, *sb, tolerance_), "contributions", text(*sa), text(*sb));
+        return shares_differ && differ(i, j, cause_of_shares(i, *sa, *sb), "contributions", text(*sa), text(*sb));
+    }
+
+    /// Where no mistake in the indices makes the reflection total, the reflectance does.
+    Cause cause_of_shares(std::size_t i, const ToldRay::Shares& a, const ToldRay::Shares& b) const {
+        const Cause cause = rules::shares(a, b, tolerance_);
+        if (cause != Cause::total_reflection) return cause;
+        for (const std::size_t child : children_a_[i])
+            if (a_[child].kind == ToldRay::Kind::refraction && !rules::inverse_ratio_is_total(a_[i], a_[child], tolerance_))
+                return Cause::missing_fresnel;
+        return cause;
     }
 
     bool shadows(std::size_t i, std::size_t j) {
         if (!a_[i].hit || !a_[i].hit->shadows || !b_[j].hit->shadows) return false;
         const std::vector<ToldShadow>&a = *a_[i].hit->shadows, &b = *b_[j].hit->shadows;
-        for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
-            const auto name = [&](const std::vector<ToldShadow>& of) {
-                return k < of.size() ? fmt::format("light {}, sample {}", of[k].light, of[k].sample) : "no further one";
-            };
-            if (k >= a.size() || k >= b.size() || a[k].light != b[k].light || a[k].sample != b[k].sample)
-                return differ(i, j, Cause::missing_light, "lamps asked", name(a), name(b));
-            const bool exact = a[k].exact && b[k].exact;
-            const bool arrives = (a[k].transmitted != Rgb(0.0)) == (b[k].transmitted != Rgb(0.0));
-            if (arrives && (!exact || same(a[k].transmitted, b[k].transmitted, tolerance_))) continue;
-            return differ(i, j, rules::shadow(a[k], b[k]), fmt::format("shadow ray to light {}", a[k].light), text_of_arrival(a[k]),
-                          text_of_arrival(b[k]));
+        // B may ask further lamps, those behind the surface: if it takes light from them, the light differs.
+        std::size_t l = 0;
+        for (const ToldShadow& of_a : a) {
+            while (l < b.size() && (b[l].light != of_a.light || b[l].sample != of_a.sample)) ++l;
+            const std::string field = fmt::format("shadow ray to light {}", of_a.light);
+            if (l == b.size()) return differ(i, j, Cause::missing_light, field, text_of_arrival(of_a), "there is none");
+            const ToldShadow& of_b = b[l++];
+            const bool exact = of_a.exact && of_b.exact;
+            const bool arrives = (of_a.transmitted != Rgb(0.0)) == (of_b.transmitted != Rgb(0.0));
+            if (arrives && (!exact || same(of_a.transmitted, of_b.transmitted, tolerance_))) continue;
+            Cause cause = rules::shadow(of_a, of_b);
+            if (cause == Cause::false_shadow && (rules::hides_all(a, b) || further_rays_are_moved(i, j))) cause = Cause::offset;
+            return differ(i, j, cause, field, text_of_arrival(of_a), text_of_arrival(of_b));
         }
+        return false;
+    }
+
+    /// Whether rays that the same points cause begin at other places: then those to the lamps do, too.
+    bool further_rays_are_moved(std::size_t i, std::size_t j) const {
+        const std::vector<std::size_t>&a = children_a_[i], &b = children_b_[j];
+        for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+            if (a_[a[k]].kind == b_[b[k]].kind && !same(a_[a[k]].ray.origin, b_[b[k]].ray.origin, tolerance_)) return true;
         return false;
     }
 
@@ -211,7 +239,8 @@ private:
 
     /// Light of the surface itself that has another share, since the rest of it goes where one of the records has no ray.
     Cause cause_of_own_light(std::size_t i, std::size_t j, LightPart part) const {
-        const Cause cause = rules::local_light(part, a_[i], b_[j], tolerance_);
+        const Cause cause = rules::local_light(part, a_[i], b_[j], rounded_, tolerance_);
+        if (cause == Cause::false_shadow) return cause_of_dark(i, j);
         if (cause != Cause::wrong_share) return cause;
         const auto only_a_has = [&](ToldRay::Kind kind) {
             return has_child(a_, children_a_[i], kind) && !has_child(b_, children_b_[j], kind);
@@ -219,6 +248,16 @@ private:
         if (only_a_has(ToldRay::Kind::refraction)) return Cause::missing_filter;
         if (only_a_has(ToldRay::Kind::reflection)) return Cause::missing_reflection;
         return cause;
+    }
+
+    /// B has no diffuse light at a point where A has some, and does not tell of its lamps.
+    Cause cause_of_dark(std::size_t i, std::size_t j) const {
+        const auto passes_something = [](const ToldShadow& s) { return s.through || s.transmitted == Rgb(0.0); };
+        if (a_[i].hit->shadows && std::all_of(a_[i].hit->shadows->begin(), a_[i].hit->shadows->end(), passes_something))
+            return Cause::missing_filter;
+        const auto is_lit = [](const ToldRay& ray) { return ray.part(LightPart::diffuse).value_or(Rgb(0.0)) != Rgb(0.0); };
+        if (std::none_of(b_.begin(), b_.end(), is_lit) && std::count_if(a_.begin(), a_.end(), is_lit) > 1) return Cause::wrong_diffuse;
+        return further_rays_are_moved(i, j) ? Cause::offset : Cause::false_shadow;
     }
 
     static bool has_child(const Rays& rays, const std::vector<std::size_t>& children, ToldRay::Kind kind) {
@@ -238,7 +277,7 @@ private:
             const bool beyond = depth > 0 && depth + 1 > (a_has ? deepest_b_ : deepest_a_);
             const bool total = std::any_of(a.begin(), a.end(), [&](std::size_t c) { return a_[c].total; }) ||
                                std::any_of(b.begin(), b.end(), [&](std::size_t c) { return b_[c].total; });
-            const Cause cause = total ? Cause::total_reflection : rules::further_ray(kind, a_has, beyond, a_[i], b_[j], tolerance_);
+            const Cause cause = total ? Cause::total_reflection : rules::further_ray(kind, a_has, beyond);
             return differ(i, j, cause, fmt::format("the {} it causes", kind_name(kind)), a_has ? "there is one" : "there is none",
                           a_has ? "there is none" : "there is one");
         }
@@ -254,26 +293,24 @@ private:
 
     /// Light that further rays bring, their own being the same as far as it is told: texts leave out what the background brings.
     Cause cause_of_brought_light(std::size_t i, std::size_t j, LightPart part, ToldRay::Kind kind) const {
-        const auto leaves = [&](std::size_t child) {
-            const ToldRay& ray = a_[child];
-            return ray.kind == kind && !ray.hit && !ray.part(LightPart::radiance);
-        };
-        if (std::any_of(children_a_[i].begin(), children_a_[i].end(), leaves)) return Cause::background;
-        return rules::factor(kind, implied(a_, i, children_a_[i], part, kind), implied(b_, j, children_b_[j], part, kind), tolerance_);
-    }
-
-    /// The factor that a ray's part has on the light of the only further ray of its kind; the part itself where that is unknown.
-    static Rgb implied(const Rays& rays, std::size_t parent, const std::vector<std::size_t>& children, LightPart part, ToldRay::Kind kind) {
-        const Rgb sum = *rays[parent].part(part);
-        for (const std::size_t child : children) {
-            const std::optional<Rgb>& light = rays[child].part(LightPart::radiance);
-            if (rays[child].kind == kind && light && light->r > 0.0 && light->g > 0.0 && light->b > 0.0) return sum / *light;
+        const Rgb &sum_a = *a_[i].part(part), &sum_b = *b_[j].part(part);
+        for (std::size_t k = 0; k < children_a_[i].size(); ++k) {
+            const ToldRay &a = a_[children_a_[i][k]], &b = b_[children_b_[j][k]];
+            if (a.kind != kind) continue;
+            const std::optional<Rgb>&light_a = a.part(LightPart::radiance), &light_b = b.part(LightPart::radiance);
+            if (!a.hit && (!light_a || (!light_b && sum_b == Rgb(0.0)))) return Cause::background;
+            const auto divides = [](const Rgb& light) { return light.r > 0.0 && light.g > 0.0 && light.b > 0.0; };
+            // The factors that the sums have on the light of the further ray.
+            const Rgb other = light_b.value_or(*light_a);
+            if (divides(*light_a) && divides(other)) return rules::factor(kind, sum_a / *light_a, sum_b / other, tolerance_);
         }
-        return sum;
+        return rules::factor(kind, sum_a, sum_b, tolerance_);
     }
 
     const Rays &a_, &b_;
     const ToldCamera* camera_;
+    double grid_;  ///< rays of the pixel in a row
+    bool rounded_;
     double tolerance_;
     int deepest_a_, deepest_b_;
     Children children_a_, children_b_;
@@ -302,15 +339,17 @@ std::optional<Divergence> of_pixel(const ToldPixel& a, const ToldPixel& b) {
 
 std::optional<Divergence> first_divergence(const ToldPixel& a, const ToldPixel& b, double tolerance) {
     if (std::optional<Divergence> found = of_pixel(a, b)) return found;
-    const ToldCamera* camera = a.camera ? &*a.camera : b.camera ? &*b.camera : nullptr;
     for (std::size_t s = 0; s < a.samples.size(); ++s) {
-        std::optional<Divergence> found = Walk(a.samples[s], b.samples[s], camera, tolerance).from_camera();
+        std::optional<Divergence> found = Walk(a, b, s, tolerance).from_camera();
         if (!found) continue;
         found->sample = s;
         return found;
     }
     if (a.color == b.color) return std::nullopt;
-    return Divergence{rules::color(a.color, b.color), 0, ToldRay::none, ToldRay::none, "colour of the pixel", text(a.color), text(b.color)};
+    Cause cause = rules::color(a.color, b.color);
+    const auto leaves = [](const Rays& rays) { return !rays.empty() && rays.front().end == ToldRay::End::background; };
+    if (cause == Cause::other && b.rounded && std::any_of(b.samples.begin(), b.samples.end(), leaves)) cause = Cause::background;
+    return Divergence{cause, 0, ToldRay::none, ToldRay::none, "colour of the pixel", text(a.color), text(b.color)};
 }
 
 }  // namespace rt

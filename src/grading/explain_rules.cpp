@@ -44,6 +44,55 @@ std::optional<double> bending(const Vec3& incident, const Vec3& normal, const Ve
     return dot(cross(unit(normal), unit(direction)), across) / (sine * sine);
 }
 
+/// How much longer than in the world distances are in the space of the object that is met.
+double stretch(const ToldHit& hit) { return hit.object_ray ? length(hit.object_ray->direction) : 1.0; }
+
+/// Whether distances of the objects' own spaces explain what B meets: the same object just there, or another one that only they bring to
+/// the front.
+bool in_object_space(const ToldHit& a, const ToldHit& b, double tolerance) {
+    const double of_a = stretch(a), of_b = stretch(b);
+    if (same(of_a, 1.0, tolerance) && same(of_b, 1.0, tolerance)) return false;
+    if (a.object == b.object) return same(a.t * of_a, b.t, tolerance);
+    return a.t * of_a > b.t && b.t / of_b > a.t;
+}
+
+bool tells_lamps(const ToldRay& ray) { return ray.hit && ray.hit->shadows.has_value(); }
+
+/// Both tell of their lamps, which had been compared before, and no light of them was coloured on its way where one tells only whether it
+/// arrives.
+bool shadows_agree(const ToldRay& a, const ToldRay& b) {
+    if (!tells_lamps(a) || !tells_lamps(b)) return false;
+    const auto told = [](const ToldShadow& s, const ToldShadow& other) {
+        return s.exact || other.transmitted == dark || other.transmitted == Rgb(1.0);
+    };
+    const std::vector<ToldShadow>&of_a = *a.hit->shadows, &of_b = *b.hit->shadows;
+    for (std::size_t k = 0; k < std::min(of_a.size(), of_b.size()); ++k)
+        if (!told(of_a[k], of_b[k]) || !told(of_b[k], of_a[k])) return false;
+    return true;
+}
+
+/// Diffuse light where B does not tell which lamps arrive. What A tells of its own bounds what B can have: no shadow is missing where A has
+/// none, and no lamp where one alone arrives.
+Cause diffuse_of_unknown_shadows(const ToldRay& a, const ToldRay& b, bool proportional, double tolerance) {
+    const Rgb light_a = part_or_dark(a, LightPart::diffuse), light_b = part_or_dark(b, LightPart::diffuse);
+    const Rgb gloss_a = part_or_dark(a, LightPart::specular), gloss_b = part_or_dark(b, LightPart::specular);
+    bool may_be_hidden = true, may_be_several = true;
+    if (tells_lamps(a)) {
+        const std::vector<ToldShadow>& lamps = *a.hit->shadows;
+        may_be_hidden = std::any_of(lamps.begin(), lamps.end(), [](const ToldShadow& s) { return s.transmitted != Rgb(1.0); });
+        may_be_several = std::count_if(lamps.begin(), lamps.end(), [](const ToldShadow& s) { return s.transmitted != dark; }) > 1;
+    }
+    const bool gloss_agrees = same(gloss_a, gloss_b, tolerance);
+    if (light_a == dark) return may_be_hidden ? Cause::missing_shadow : Cause::wrong_diffuse;
+    if (light_b == dark) return gloss_agrees && gloss_a != dark ? Cause::wrong_diffuse : Cause::false_shadow;
+    // Where the ambient light agrees, so does the pigment.
+    if (!gloss_agrees || (!proportional && part_or_dark(a, LightPart::ambient) != dark)) {
+        if (max_component(light_b) > max_component(light_a)) return may_be_hidden ? Cause::missing_shadow : Cause::wrong_diffuse;
+        return may_be_several ? Cause::missing_light : Cause::wrong_diffuse;
+    }
+    return proportional ? Cause::wrong_diffuse : Cause::wrong_pigment;
+}
+
 }  // namespace
 
 bool same(double a, double b, double tolerance) {
@@ -57,7 +106,7 @@ bool same(const Vec3& a, const Vec3& b, double tolerance) {
     return same(a.x, b.x, tolerance) && same(a.y, b.y, tolerance) && same(a.z, b.z, tolerance);
 }
 
-Cause camera_direction(const Vec3& a, const Vec3& b, const ToldCamera* camera, double tolerance) {
+Cause camera_direction(const Vec3& a, const Vec3& b, const ToldCamera* camera, double grid, double tolerance) {
     if (is_scaled(a, b, tolerance)) return Cause::missing_normalisation;
     if (camera == nullptr) {
         if (is_flipped(a, b, 1, tolerance)) return Cause::upside_down;
@@ -75,7 +124,8 @@ Cause camera_direction(const Vec3& a, const Vec3& b, const ToldCamera* camera, d
     if (same(-at.x, other.x, near) && same(at.y, other.y, near)) return Cause::mirrored;
     if (same(at.x, other.x, near) && same(-at.y, other.y, near)) return Cause::upside_down;
     const Vec2 pixels((other.x - at.x) * camera->width, (other.y - at.y) * camera->height);
-    const auto is_half = [](double p) { return std::fabs(std::fabs(p) - 0.5) < 0.03; };
+    // Of the pixel, or of the part of it that is the ray's own.
+    const auto is_half = [&](double p) { return std::fabs(std::fabs(p) - 0.5) < 0.03 || std::fabs(std::fabs(p) * grid - 0.5) < 0.03; };
     const auto is_none = [](double p) { return std::fabs(p) < 0.03; };
     const bool halves = (is_half(pixels.x) || is_none(pixels.x)) && (is_half(pixels.y) || is_none(pixels.y));
     return halves && !(is_none(pixels.x) && is_none(pixels.y)) ? Cause::half_pixel : Cause::camera;
@@ -100,7 +150,9 @@ Cause hit(const ToldRay& a, const ToldRay& b, const ToldRay* parent, double tole
     if (!b.hit) return Cause::missed_object;
     const bool own = parent != nullptr && parent->hit && parent->hit->object == b.hit->object;
     if (own && b.hit->t < touching) return Cause::offset;
-    if (!a.hit || a.hit->object != b.hit->object) return Cause::wrong_object;
+    if (!a.hit) return Cause::wrong_object;
+    if (in_object_space(*a.hit, *b.hit, tolerance)) return Cause::object_space_distance;
+    if (a.hit->object != b.hit->object) return Cause::wrong_object;
     if (same(a.hit->point, b.hit->point, tolerance)) return Cause::object_space_distance;
     return b.hit->t > a.hit->t && a.hit->normal && b.hit->normal &&
                    dot(*a.hit->normal, a.ray.direction) * dot(*b.hit->normal, b.ray.direction) < 0.0
@@ -117,13 +169,21 @@ Cause normal(const Vec3& a, const Vec3& b, double tolerance) {
 Cause shares(const ToldRay::Shares& a, const ToldRay::Shares& b, double tolerance) {
     const bool same_local = same(a.local, b.local, tolerance);
     if (same_local && same(a.transmission + a.reflection, b.transmission + b.reflection, tolerance)) {
+        // Nothing else moves light between the mirror and what passes.
         const bool total = (a.transmission == 0.0) != (b.transmission == 0.0);
-        if (total) return Cause::total_reflection;
-        return a.transmission < b.transmission ? Cause::missing_fresnel : Cause::wrong_share;
+        return total ? Cause::total_reflection : Cause::missing_fresnel;
     }
     if (a.transmission > 0.0 && b.transmission == 0.0) return Cause::missing_filter;
     if (a.reflection > 0.0 && b.reflection == 0.0) return Cause::missing_reflection;
     return Cause::wrong_share;
+}
+
+bool inverse_ratio_is_total(const ToldRay& incident, const ToldRay& passing, double tolerance) {
+    if (!incident.hit || !incident.hit->normal) return true;
+    const std::optional<double> bent = bending(incident.ray.direction, *incident.hit->normal, passing.ray.direction, tolerance);
+    if (!bent) return true;
+    const double sine = length(cross(unit(*incident.hit->normal), unit(incident.ray.direction)));
+    return sine > std::fabs(*bent);
 }
 
 Cause layers(const ToldLayer& a, const ToldLayer& b, double tolerance) {
@@ -132,12 +192,23 @@ Cause layers(const ToldLayer& a, const ToldLayer& b, double tolerance) {
 }
 
 Cause shadow(const ToldShadow& a, const ToldShadow& b) {
-    const bool partly = a.transmitted != dark && b.transmitted != dark;
-    if (partly || (b.transmitted == dark && a.through)) return Cause::missing_filter;
-    return a.transmitted == dark ? Cause::missing_shadow : Cause::false_shadow;
+    if (a.transmitted == dark || b.transmitted == Rgb(1.0)) return Cause::missing_shadow;
+    return b.transmitted != dark || a.through ? Cause::missing_filter : Cause::false_shadow;
 }
 
-Cause local_light(LightPart part, const ToldRay& a, const ToldRay& b, double tolerance) {
+bool hides_all(const std::vector<ToldShadow>& a, const std::vector<ToldShadow>& b) {
+    std::optional<std::uint32_t> first;
+    bool several = false;
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+        if (a[k].transmitted == dark) continue;
+        if (b[k].transmitted != dark) return false;
+        several |= first && *first != a[k].light;
+        first = a[k].light;
+    }
+    return several;
+}
+
+Cause local_light(LightPart part, const ToldRay& a, const ToldRay& b, bool rounded, double tolerance) {
     const Rgb all_a = part_or_dark(a, LightPart::ambient) + part_or_dark(a, LightPart::diffuse) + part_or_dark(a, LightPart::specular);
     const Rgb all_b = part_or_dark(b, LightPart::ambient) + part_or_dark(b, LightPart::diffuse) + part_or_dark(b, LightPart::specular);
     const Rgb light_a = part_or_dark(a, part), light_b = part_or_dark(b, part);
@@ -152,16 +223,10 @@ Cause local_light(LightPart part, const ToldRay& a, const ToldRay& b, double tol
     if (part == LightPart::specular) {
         constexpr double plain = 0.01;  // less may be the foot of another lobe
         const bool one_has_none = light_a == dark || light_b == dark;
-        return one_has_none && max_component(light_a + light_b) > plain ? Cause::missing_highlight : Cause::wrong_exponent;
+        return one_has_none && (!rounded || max_component(light_a + light_b) > plain) ? Cause::missing_highlight : Cause::wrong_exponent;
     }
-    const bool shadows_agree = a.hit && b.hit && a.hit->shadows && b.hit->shadows;
-    if (shadows_agree) return k || light_a == dark || !a.hit->layers.empty() ? Cause::wrong_diffuse : Cause::wrong_pigment;
-    if (light_a == dark || light_b == dark) return light_a == dark ? Cause::missing_shadow : Cause::false_shadow;
-    // Of several lamps one may be missing; where the ambient light agrees, so does the pigment.
-    const bool gloss_agrees = same(part_or_dark(a, LightPart::specular), part_or_dark(b, LightPart::specular), tolerance);
-    if (!gloss_agrees || (!k && part_or_dark(a, LightPart::ambient) != dark))
-        return max_component(light_b) > max_component(light_a) ? Cause::missing_shadow : Cause::missing_light;
-    return k ? Cause::wrong_diffuse : Cause::wrong_pigment;
+    if (shadows_agree(a, b)) return k || light_a == dark || !a.hit->layers.empty() ? Cause::wrong_diffuse : Cause::wrong_pigment;
+    return diffuse_of_unknown_shadows(a, b, k.has_value(), tolerance);
 }
 
 Cause factor(ToldRay::Kind kind, const Rgb& a, const Rgb& b, double tolerance) {
@@ -183,11 +248,8 @@ Cause sum(const ToldRay& a, const ToldRay& b, double tolerance) {
     return Cause::other;
 }
 
-Cause further_ray(ToldRay::Kind kind, bool a_has, bool beyond_deepest, const ToldRay& a, const ToldRay& b, double tolerance) {
-    const bool shares_known = a.shares && b.shares;
-    const bool shares_agree = shares_known && same(a.shares->reflection, b.shares->reflection, tolerance) &&
-                              same(a.shares->transmission, b.shares->transmission, tolerance);
-    if (beyond_deepest || shares_agree) return Cause::depth;
+Cause further_ray(ToldRay::Kind kind, bool a_has, bool beyond_deepest) {
+    if (beyond_deepest) return Cause::depth;
     if (kind == ToldRay::Kind::refraction) return Cause::missing_filter;
     return a_has ? Cause::missing_reflection : Cause::wrong_share;
 }

@@ -74,6 +74,7 @@ struct ToldPixel {
     std::array<int, 3> color{};
     std::optional<ToldCamera> camera;           ///< of a perspective view
     std::vector<std::vector<ToldRay>> samples;  ///< each with its camera ray first
+    bool rounded = false;                       ///< a number told as 0 may be a small one
 };
 
 }  // namespace rt

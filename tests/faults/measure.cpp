@@ -31,7 +31,7 @@ std::span<const Cause> right_names(Fault fault) {
         {glass_without_shadow, {Cause::missing_shadow, Cause::missing_filter}},
         {shadow_from_behind, {Cause::false_shadow}},
         {unfiltered, {Cause::missing_filter}},
-        {mirror_untinted, {Cause::missing_filter}},
+        {mirror_untinted, {Cause::wrong_pigment, Cause::missing_filter}},
         {depth_short, {Cause::depth}},
         {depth_long, {Cause::depth}},
         {ior_inverted, {Cause::wrong_refraction_ratio, Cause::total_reflection}},  // where one of both reflects totally

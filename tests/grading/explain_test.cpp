@@ -36,12 +36,12 @@ TEST(ExplainRules, NormalsAreScaledTurnedOrOthers) {
 
 TEST(ExplainRules, CameraRaysWithoutACameraAreToldByTheirSigns) {
     const Vec3 d = unit(Vec3(0.3, 0.2, -1));
-    EXPECT_EQ(rules::camera_direction(d, {-d.x, d.y, d.z}, nullptr, tolerance), Cause::mirrored);
-    EXPECT_EQ(rules::camera_direction(d, {d.x, d.y, -d.z}, nullptr, tolerance), Cause::mirrored);
-    EXPECT_EQ(rules::camera_direction(d, {d.x, -d.y, d.z}, nullptr, tolerance), Cause::upside_down);
-    EXPECT_EQ(rules::camera_direction(d, {d.y, d.x, d.z}, nullptr, tolerance), Cause::camera);
+    EXPECT_EQ(rules::camera_direction(d, {-d.x, d.y, d.z}, nullptr, 1.0, tolerance), Cause::mirrored);
+    EXPECT_EQ(rules::camera_direction(d, {d.x, d.y, -d.z}, nullptr, 1.0, tolerance), Cause::mirrored);
+    EXPECT_EQ(rules::camera_direction(d, {d.x, -d.y, d.z}, nullptr, 1.0, tolerance), Cause::upside_down);
+    EXPECT_EQ(rules::camera_direction(d, {d.y, d.x, d.z}, nullptr, 1.0, tolerance), Cause::camera);
     const ToldCamera flat{d, {0, 0, 0}, {0, 1, 0}, 8, 8};
-    EXPECT_EQ(rules::camera_direction(d, {d.y, d.x, d.z}, &flat, tolerance), Cause::camera);
+    EXPECT_EQ(rules::camera_direction(d, {d.y, d.x, d.z}, &flat, 1.0, tolerance), Cause::camera);
 }
 
 TEST(ExplainRules, BentRaysStayInThePlaneOfIncidence) {
@@ -56,27 +56,25 @@ TEST(ExplainRules, SharesTellFilterFresnelAndMirror) {
     const ToldRay::Shares a{0.2, 0.1, 0.7};
     EXPECT_EQ(rules::shares(a, {0.9, 0.1, 0.0}, tolerance), Cause::missing_filter);
     EXPECT_EQ(rules::shares(a, {0.2, 0.05, 0.75}, tolerance), Cause::missing_fresnel);
-    EXPECT_EQ(rules::shares(a, {0.2, 0.15, 0.65}, tolerance), Cause::wrong_share);
+    EXPECT_EQ(rules::shares(a, {0.2, 0.15, 0.65}, tolerance), Cause::missing_fresnel);
     EXPECT_EQ(rules::shares(a, {0.2, 0.8, 0.0}, tolerance), Cause::total_reflection);
     EXPECT_EQ(rules::shares(a, {0.3, 0.0, 0.7}, tolerance), Cause::missing_reflection);
     EXPECT_EQ(rules::shares(a, {1.0, 0.1, 0.7}, tolerance), Cause::wrong_share);
 }
 
 TEST(ExplainRules, FurtherRaysEndByDepthOrByTheSurface) {
-    const ToldRay none;
-    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, true, true, none, none, tolerance), Cause::depth);
-    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, true, false, none, none, tolerance), Cause::missing_reflection);
-    EXPECT_EQ(rules::further_ray(ToldRay::Kind::refraction, true, false, none, none, tolerance), Cause::missing_filter);
-    ToldRay shared;
-    shared.shares = {0.2, 0.1, 0.7};
-    EXPECT_EQ(rules::further_ray(ToldRay::Kind::refraction, true, false, shared, shared, tolerance), Cause::depth);
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, true, true), Cause::depth);
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, true, false), Cause::missing_reflection);
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::refraction, true, false), Cause::missing_filter);
+    EXPECT_EQ(rules::further_ray(ToldRay::Kind::reflection, false, false), Cause::wrong_share);
 }
 
 TEST(ExplainRules, ShadowsAreMissingFalseOrWithoutTheFilter) {
     const ToldShadow lit, dark{0, 0, Rgb(0.0)}, tinted{0, 0, Rgb(0.5, 0.25, 1.0), true}, clear{0, 0, Rgb(1.0), true};
     EXPECT_EQ(rules::shadow(dark, lit), Cause::missing_shadow);
     EXPECT_EQ(rules::shadow(lit, dark), Cause::false_shadow);
-    EXPECT_EQ(rules::shadow(tinted, lit), Cause::missing_filter);
+    EXPECT_EQ(rules::shadow(tinted, lit), Cause::missing_shadow);
+    EXPECT_EQ(rules::shadow(tinted, {0, 0, Rgb(0.5), true}), Cause::missing_filter);
     EXPECT_EQ(rules::shadow(tinted, dark), Cause::missing_filter);
     EXPECT_EQ(rules::shadow(clear, dark), Cause::missing_filter);
     EXPECT_EQ(rules::shadow(dark, tinted), Cause::missing_shadow);
@@ -99,6 +97,76 @@ ToldRay surface(const Vec3& point) {
     ray.hit->normal = Vec3(0, 0, 1);
     for (std::optional<Rgb>& part : ray.light) part = Rgb(0.25);
     return ray;
+}
+
+TEST(ExplainRules, HalfAPixelIsOfThePixelOrOfItsPart) {
+    const ToldCamera camera{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, 10, 10};
+    const Vec3 d(0.2, 0.1, 1), half(0.25, 0.15, 1), quarter(0.225, 0.1, 1);
+    EXPECT_EQ(rules::camera_direction(d, half, &camera, 1.0, tolerance), Cause::half_pixel);
+    EXPECT_EQ(rules::camera_direction(d, half, &camera, 2.0, tolerance), Cause::half_pixel);
+    EXPECT_EQ(rules::camera_direction(d, quarter, &camera, 2.0, tolerance), Cause::half_pixel);
+    EXPECT_EQ(rules::camera_direction(d, quarter, &camera, 1.0, tolerance), Cause::camera);
+}
+
+TEST(ExplainRules, DistancesOfObjectSpaceMoveTheHitOrBringAnotherObjectToTheFront) {
+    ToldRay a = surface({0, 0, 2}), b = a;
+    a.hit->t = 2.0, a.hit->object_ray = Ray{{0, 0, 0}, {0, 0, -1.5}};
+    b.hit->t = 3.0;
+    EXPECT_EQ(rules::hit(a, b, nullptr, tolerance), Cause::object_space_distance);
+    b.hit->t = 3.2, b.hit->point = {0, 0, 0.8};
+    EXPECT_EQ(rules::hit(a, b, nullptr, tolerance), Cause::placement);
+    b.hit->object = 2, b.hit->t = 2.5;  // farther than 2, nearer than 3
+    EXPECT_EQ(rules::hit(a, b, nullptr, tolerance), Cause::object_space_distance);
+    b.hit->t = 3.5;
+    EXPECT_EQ(rules::hit(a, b, nullptr, tolerance), Cause::wrong_object);
+}
+
+TEST(ExplainRules, OnlyARatioThatCanReflectTotallyIsSuspectedOfIt) {
+    ToldRay incident = surface({0, 0, 0}), passing;
+    incident.ray.direction = {0.6, 0, -0.8};
+    passing.ray.direction = {0.4, 0, -std::sqrt(0.84)};  // sines 0.6 to 0.4, inverse 0.6 to 0.9
+    EXPECT_FALSE(rules::inverse_ratio_is_total(incident, passing, tolerance));
+    passing.ray.direction = {0.3, 0, -std::sqrt(0.91)};  // inverse 0.6 to 1.2
+    EXPECT_TRUE(rules::inverse_ratio_is_total(incident, passing, tolerance));
+    incident.hit->normal.reset();
+    EXPECT_TRUE(rules::inverse_ratio_is_total(incident, passing, tolerance));
+}
+
+TEST(ExplainRules, ASurfaceThatShadowsItselfHidesAllLamps) {
+    const ToldShadow one, other{1, 0, Rgb(1.0), {}, {}}, no_one{0, 0, Rgb(0.0), {}, {}}, no_other{1, 0, Rgb(0.0), {}, {}};
+    EXPECT_TRUE(rules::hides_all({one, other}, {no_one, no_other}));
+    EXPECT_FALSE(rules::hides_all({one, other}, {no_one, other}));
+    EXPECT_FALSE(rules::hides_all({one}, {no_one}));  // anything may do that
+    EXPECT_FALSE(rules::hides_all({one, no_other}, {no_one, no_other}));
+}
+
+TEST(ExplainRules, AHighlightIsMissingWhereItIsNoneExactly) {
+    ToldRay a = surface({0, 0, 0}), b = a;
+    a.part(LightPart::specular) = Rgb(0.002), b.part(LightPart::specular) = Rgb(0.0);
+    EXPECT_EQ(rules::local_light(LightPart::specular, a, b, false, tolerance), Cause::missing_highlight);
+    EXPECT_EQ(rules::local_light(LightPart::specular, a, b, true, tolerance), Cause::wrong_exponent);
+    a.part(LightPart::specular) = Rgb(0.2);
+    EXPECT_EQ(rules::local_light(LightPart::specular, a, b, true, tolerance), Cause::missing_highlight);
+}
+
+TEST(ExplainRules, WhatOneTellsOfItsLampsBoundsWhatTheOtherCanHave) {
+    const ToldShadow lit, hidden{1, 0, Rgb(0.0), {}, {}}, other{1, 0, Rgb(1.0), {}, {}};
+    ToldRay a = surface({0, 0, 0}), b = a;
+    const auto diffuse = [&](const std::vector<ToldShadow>& lamps, const Rgb& of_b) {
+        a.hit->shadows = lamps;
+        b.part(LightPart::diffuse) = of_b;
+        return rules::local_light(LightPart::diffuse, a, b, true, tolerance);
+    };
+    const Rgb brighter(0.5, 0.3, 0.3), darker(0.1, 0.2, 0.2);
+    EXPECT_EQ(diffuse({lit, hidden}, brighter), Cause::missing_shadow);
+    EXPECT_EQ(diffuse({lit, other}, brighter), Cause::wrong_diffuse);
+    EXPECT_EQ(diffuse({lit, other}, darker), Cause::missing_light);
+    EXPECT_EQ(diffuse({lit, hidden}, darker), Cause::wrong_diffuse);
+    EXPECT_EQ(diffuse({lit}, Rgb(0.0)), Cause::wrong_diffuse);  // the highlight is there
+    b.part(LightPart::specular) = Rgb(0.0);
+    EXPECT_EQ(diffuse({lit}, Rgb(0.0)), Cause::false_shadow);
+    b.hit->shadows = std::vector<ToldShadow>{lit};
+    EXPECT_EQ(diffuse({lit}, Rgb(0.0)), Cause::wrong_diffuse);
 }
 
 class Order : public testing::Test {

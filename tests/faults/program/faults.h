@@ -1,5 +1,5 @@
-// Faults that a student's tracer may have, one by one in a test build of our own: faults.py says what each is, and plant.py writes them into
-// copies of the sources. The product is built from the sources themselves and knows nothing of this.
+// Faults that a student's tracer may have, one by one in a test build of our own: faults.py says what each is, and plant.py writes them
+// into copies of the sources. The product is built from the sources themselves and knows nothing of this.
 #pragma once
 
 #include <span>

@@ -91,6 +91,8 @@ FAULTS = {
             (*FURTHER_OFFSET, "0.0"),
             (*SHADOW_OFFSET, "0.0"),
             (*LEAVE, "at.point"),
+            # A ray that meets the surface it starts on would do so ten thousand times.
+            (SHADOW, "i < [[most_crossings]]; ++i) {", "10"),
             (DISTANCES, "Interval{[[1e-4]], 1e7}", "0.0"),
             (DISTANCES, "return {[[1e-3]], std::min", "0.0"),
         ],
