@@ -35,6 +35,8 @@ THROUGH = (POVRAY, "if ([[!through]]) return false;")
 SHADOW_LIT = (COURSE, "way != Vec3(0.0) && [[lit(point, light)]];")
 TRANSMITTED_SHADOW = (LIGHTING, "arriving *= [[shadows_.transmitted(index, at, ray, view.inside, view.log != nullptr ? &answer : nullptr)]];")
 PIGMENT_ON_ENTRY = (COURSE, "CourseRules::beer_density) : [[point.surface.pigment]];")
+# A shadow ray that meets the surface it starts on would do so ten thousand times before it is dark.
+CROSSINGS = (SHADOW, "i < [[most_crossings]]; ++i) {")
 AREA_SHADOW = (SHADOW, "color * [[transmitted(index, at, ray, inside, log != nullptr ? &answer : nullptr)]];")
 
 # name: (what is wrong, changes)
@@ -50,7 +52,10 @@ FAULTS = {
             (POVRAY, ".normal = [[away ? -normal : normal]],", "normal"),
         ],
     ),
-    "triangle_side": ("the normals of triangles are those of the other order of corners", [(SURFACES, "return [[s.mirrored ? -n : n]];", "s.mirrored ? n : -n")]),
+    "triangle_side": (
+        "the normals of triangles are those of the other order of corners",
+        [(SURFACES, "return [[s.mirrored ? -n : n]];", "s.mirrored ? n : -n")],
+    ),
     "normal_by_matrix": (
         "normals are transformed like directions, not by the inverse transpose",
         [(*PLACED_NORMAL, "placed.to_world.direction(normal(placed.shape, placed.to_world.inverse_point(point), hit))")],
@@ -59,7 +64,10 @@ FAULTS = {
         "normals stay in the object's own space",
         [(*PLACED_NORMAL, "normal(placed.shape, placed.to_world.inverse_point(point), hit)")],
     ),
-    "normal_unnormalised": ("the normals of transformed objects and triangles have any length", [(SURFACES, "n = [[in_range_unit(n)]];", "n")]),
+    "normal_unnormalised": (
+        "the normals of transformed objects and triangles have any length",
+        [(SURFACES, "n = [[in_range_unit(n)]];", "n")],
+    ),
     "half_unnormalised": (
         "the half vector is l + v",
         [
@@ -91,8 +99,7 @@ FAULTS = {
             (*FURTHER_OFFSET, "0.0"),
             (*SHADOW_OFFSET, "0.0"),
             (*LEAVE, "at.point"),
-            # A ray that meets the surface it starts on would do so ten thousand times.
-            (SHADOW, "i < [[most_crossings]]; ++i) {", "10"),
+            (*CROSSINGS, "10"),
             (DISTANCES, "Interval{[[1e-4]], 1e7}", "0.0"),
             (DISTANCES, "return {[[1e-3]], std::min", "0.0"),
         ],
@@ -103,6 +110,7 @@ FAULTS = {
             (*FURTHER_OFFSET, "-CourseRules::offset"),
             (*SHADOW_OFFSET, "-CourseRules::offset"),
             (*LEAVE, "at.point - (dot(at.side, direction) < 0.0 ? -1e-3 : 1e-3) * at.side"),
+            (*CROSSINGS, "10"),
         ],
     ),
     "no_shadows": ("nothing casts shadows", [(*SHADOW_LIT, "true"), (*TRANSMITTED_SHADOW, "Rgb(1.0)"), (*AREA_SHADOW, "Rgb(1.0)")]),
@@ -178,7 +186,11 @@ FAULTS = {
     ),
     "no_total_reflection": (
         "total internal reflection is lost",
-        [(*TRANSMISSION, "shares.transmission > 0.0 && !bent.total"), (COURSE, "shares(surface, F, [[bent.total]]);", "false"), (*THROUGH, "!through || bent.total")],
+        [
+            (*TRANSMISSION, "shares.transmission > 0.0 && !bent.total"),
+            (COURSE, "shares(surface, F, [[bent.total]]);", "false"),
+            (*THROUGH, "!through || bent.total"),
+        ],
     ),
     "no_transmission": ("nothing is seen through transparent objects", [(*TRANSMISSION, "false"), (*THROUGH, "true")]),
     "no_reflection": (
@@ -279,6 +291,6 @@ FAULTS = {
     ),
     "black": (
         "the picture is black",
-        [(COURSE, f"[[overflowed(light.{c})]]", "0.0") for c in "rgb"] + [(POVRAY, f"[[overflowed(result.rgb.{c})]]", "0.0") for c in "rgb"],
+        [(file, f"[[overflowed({light}.{c})]]", "0.0") for file, light in ((COURSE, "light"), (POVRAY, "result.rgb")) for c in "rgb"],
     ),
 }

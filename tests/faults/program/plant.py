@@ -3,8 +3,8 @@
 
 usage: tests/faults/program/plant.py --root FOLDER --out FOLDER
 
-Of every file that a fault changes OUT has the copy, and OUT/faults_list.h lists the faults for faults.h. A file whose copy would be the same
-as before is left alone. src/ itself is only read. Exits with 1 and file, fault and text where a change does not find its place.
+Of every file that a fault changes OUT has the copy, and OUT/faults_list.h lists the faults for faults.h. A copy that would be the same as
+before is left alone. src/ itself is only read. Exits with 1 and file, fault and text where a change does not find its place.
 """
 import argparse
 import pathlib
@@ -77,6 +77,9 @@ def main():
     except Misplaced as error:
         print(f"tests/faults/program/plant.py: {error}", file=sys.stderr)
         return 1
+    for path in options.out.rglob("*"):  # of a fault that there is no more
+        if path.suffix in (".h", ".cpp") and path.relative_to(options.out).as_posix() not in by_file and path.name != "faults_list.h":
+            path.unlink()
     write(options.out / "faults_list.h", "".join(f'FAULT({name}, "{what}")\n' for name, (what, _) in FAULTS.items()))
     return 0
 
