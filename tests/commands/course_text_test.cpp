@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "commands/told_pixel_file.h"
+
 namespace rt {
 namespace {
 
@@ -135,6 +137,17 @@ TEST_F(CourseText, OfATreeRayByRay) {
               "      Extra Info: into-air\n"
               "\n\n"
               "--------------------------------------------------------------------------------\n\n");
+}
+
+TEST_F(CourseText, ReadBackTellsTheSideThatARefractedRayLeaves) {
+    Sources sources;
+    sources.add({"rays.txt", printrays_text({0, 0, {}}, scene, std::span(&log, 1))});
+    const ToldPixel told = told_pixel_of_text(sources);
+    EXPECT_TRUE(told.rounded);
+    const std::vector<ToldRay>& rays = told.samples.at(0);
+    EXPECT_EQ(rays.at(0).hit->inside, false);
+    EXPECT_EQ(rays.at(1).hit->inside, std::nullopt);  // a mirror does not say
+    EXPECT_EQ(rays.at(2).hit->inside, true);
 }
 
 TEST_F(CourseText, OfATreeDrawn) {
