@@ -71,6 +71,7 @@ Lexer::Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin, st
 
 void Lexer::next(Token& token) {
     token.word = Word::none;
+    token.symbol = 0;
     if (skip_blanks(token)) return;
     if (at_ == end_) {
         token.kind = Token::Kind::end;

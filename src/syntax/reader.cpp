@@ -29,7 +29,7 @@ void predeclare(Reader::State& state) {
 }  // namespace
 
 Reader::Reader(const ParseOptions& options, Scene& scene, const MessageSink& messages)
-    : state_(std::make_unique<State>(*this, options, scene, messages)) {
+    : state_(std::make_unique<State>(*this, options, scene, messages)), cursor_(*state_) {
     state_->default_texture = std::vector<Texture>{{PlainTexture{{}, options.default_finish}}};
     if (options.version > 0.0) {
         state_->version = options.version;
@@ -50,33 +50,7 @@ void Reader::open(SourceFile file) {
 
 // --- tokens
 
-const Token& Reader::peek() {
-    if (!state_->has_ahead) state_->fill();
-    return state_->ahead;
-}
-
-Token Reader::take() {
-    const Token& token = peek();
-    state_->has_ahead = false;
-    state_->last = token.span;
-    state_->last_word = token.kind == Token::Kind::word ? token.word : Word::none;
-    state_->anything_read = true;
-    return token;
-}
-
-Span Reader::last_place() const { return state_->last; }
-
-bool Reader::accept(Word w) {
-    if (!peek().is(w)) return false;
-    take();
-    return true;
-}
-
-bool Reader::accept(char symbol) {
-    if (!peek().is(symbol)) return false;
-    take();
-    return true;
-}
+void Reader::fill() { state_->fill(); }
 
 bool Reader::accept_at_once(Word w) {
     if (state_->has_ahead) return accept(w);
@@ -116,8 +90,6 @@ void Reader::end_block() {
     state_->blocks.pop_back();
     state_->leave();
 }
-
-bool Reader::at_block_end() { return peek().is('}'); }
 
 void Reader::State::enter(const Span& place) {
     if (++depth > options.max_nesting)

@@ -29,11 +29,26 @@ public:
     void open(SourceFile file);
 
     // --- tokens; no directive and no comment is ever seen here
-    const Token& peek();
-    Token take();
-    Span last_place() const;  ///< of the token taken last
-    bool accept(Word w);
-    bool accept(char symbol);
+    const Token& peek() {
+        if (!cursor_.has_ahead) fill();
+        return cursor_.ahead;
+    }
+    Token take() {
+        const Token& token = peek();
+        cursor_.step();
+        return token;
+    }
+    Span last_place() const { return cursor_.last; }  ///< of the token taken last
+    bool accept(Word w) {
+        const bool found = peek().is(w);
+        if (found) cursor_.step();
+        return found;
+    }
+    bool accept(char symbol) {
+        const bool found = peek().is(symbol);
+        if (found) cursor_.step();
+        return found;
+    }
     /// The same for the very next token of the text: a directive that stands there instead is not carried out yet, since the value that
     /// was just read may have to get its name first.
     bool accept_at_once(Word w);
@@ -45,7 +60,7 @@ public:
     void begin_block(std::string_view name);
     void end_block();
     /// True if the next token is '}' (not taken).
-    bool at_block_end();
+    bool at_block_end() { return peek().is('}'); }
 
     // --- values (expression.cpp)
     double parse_float();                  ///< a float factor chain as POV-Ray reads parameters; a vector is an error
@@ -55,7 +70,7 @@ public:
     Vec2 parse_vector2();
     Number parse_condition();  ///< any size; comparisons and choices need no parentheses: what POV-Ray reads where it expects a colour
     std::string parse_string();
-    void accept_comma();  ///< commas between parameters are optional
+    void accept_comma() { accept(','); }  ///< commas between parameters are optional
 
     // --- names
     /// The declared value of the identifier that comes next if it holds a T (the token is taken), else null.
@@ -106,7 +121,26 @@ public:
     struct State;  ///< internals (reader_state.h) for directives and expressions
 
 private:
+    /// The token that was looked at, and what is known of the one before it. Part of the state, but every token passes here several times.
+    struct Cursor {
+        Token ahead;
+        bool has_ahead = false;
+        Span last;  ///< of the token taken last
+        Word last_word = Word::none;
+        bool anything_read = false;  ///< a token or directive other than `#version` came first
+
+        void step() {
+            has_ahead = false;
+            last = ahead.span;
+            last_word = ahead.word;
+            anything_read = true;
+        }
+    };
+
+    void fill();  ///< makes `ahead` the next token, directives carried out
+
     std::unique_ptr<State> state_;
+    Cursor& cursor_;
 };
 
 }  // namespace rt

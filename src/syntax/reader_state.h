@@ -19,7 +19,7 @@ struct NameHash {
 template <typename T>
 using NameTable = std::unordered_map<std::string, T, NameHash, std::equal_to<>>;
 
-struct Reader::State {
+struct Reader::State : Reader::Cursor {
     /// An `#if` that waits for its `#end`.
     struct Conditional {
         Span place;
@@ -111,13 +111,9 @@ struct Reader::State {
     NameTable<std::uint32_t> files;  ///< path to index in the scene's sources
     std::size_t includes = 0;
 
-    Token ahead;
-    bool has_ahead = false;
     bool names_only = false;
-    Span last;  ///< of the token taken last
 
     std::vector<std::string> blocks;
-    Word last_word = Word::none;
     int depth = 0;
 
     NameTable<Value> globals;
@@ -127,7 +123,6 @@ struct Reader::State {
 
     double version = 3.7;
     bool version_stated = false;
-    bool anything_read = false;  ///< a token or directive other than `#version` came first
     bool version_late = false;
     TextureLayers default_texture;
     std::size_t scene_nodes = 0;

@@ -76,8 +76,6 @@ Number Reader::parse_condition() {
 
 std::string Reader::parse_string() { return Expression(*state_).string(); }
 
-void Reader::accept_comma() { accept(','); }
-
 bool Reader::State::scan_plain_number(double& x) {
     return scan_plain([&](Lexer& lexer) { return lexer.scan_plain_number(x); });
 }

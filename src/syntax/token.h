@@ -19,14 +19,14 @@ struct Token {
         choice,      ///< a directive comment `//! raytrace: ...`; `text` is what follows the colon
     };
     Kind kind = Kind::end;
-    Word word = Word::none;
-    char symbol = 0;  ///< the character; 'N' is !=, 'L' is <=, 'G' is >=
+    Word word = Word::none;  ///< none unless `kind` says that it is one
+    char symbol = 0;         ///< likewise 0; else the character, where 'N' is !=, 'L' is <=, 'G' is >=
     double number = 0.0;
     std::string_view text;  ///< into the source, which outlives every token
     Span span;
 
-    bool is(Word w) const { return kind == Kind::word && word == w; }
-    bool is(char s) const { return kind == Kind::symbol && symbol == s; }
+    bool is(Word w) const { return word == w; }
+    bool is(char s) const { return symbol == s; }
 };
 
 }  // namespace rt
