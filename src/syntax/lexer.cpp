@@ -14,7 +14,7 @@ namespace rt {
 
 namespace {
 
-enum CharClass : std::uint8_t { illegal, blank, digit, letter, other };
+enum CharClass : std::uint8_t { illegal, blank, other, digit, letter };  // names are made of the last two
 
 constexpr std::array<CharClass, 256> make_classes() {
     std::array<CharClass, 256> classes{};
@@ -33,11 +33,34 @@ CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+constexpr std::array powers_of_ten{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+/// Reads digits with at most one point if there are few enough: their whole number and the power of ten are exact doubles then, and so the
+/// quotient is the nearest one to what is written (Clinger 1990, "How to Read Floating Point Numbers Accurately"). `at` moves past them.
+/// False, with `at` somewhere among them, if there are too many or none, or an exponent follows.
+bool scan_short_decimal(const char*& at, const char* end, double& value) {
+    std::uint64_t digits = 0;
+    const char* const begin = at;
+    for (; at != end && is_digit(*at); ++at) digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+    std::ptrdiff_t count = at - begin, decimals = 0;
+    if (at != end && *at == '.') {
+        const char* const point = at++;
+        for (; at != end && is_digit(*at); ++at) digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+        decimals = at - point - 1;
+        count += decimals;
+    }
+    if (count == 0 || count >= static_cast<std::ptrdiff_t>(powers_of_ten.size()) || (at != end && (*at == 'e' || *at == 'E'))) return false;
+    value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers_of_ten[static_cast<std::size_t>(decimals)];
+    return true;
+}
+
 /// End of the literal that begins at `at`: digits with at most one point, then an exponent whose digits may be missing, as POV-Ray reads
 /// it.
 const char* literal_end(const char* at, const char* end) {
     const auto skip_digits = [&] {
-        while (at != end && class_of(*at) == digit) ++at;
+        while (at != end && is_digit(*at)) ++at;
     };
     skip_digits();
     if (at != end && *at == '.') {
@@ -89,7 +112,7 @@ void Lexer::next(Token& token) {
         case other:
             if (*at_ == '"')
                 scan_string(token);
-            else if (*at_ == '.' && at_ + 1 != end_ && class_of(at_[1]) == digit)
+            else if (*at_ == '.' && at_ + 1 != end_ && is_digit(at_[1]))
                 scan_number(token);
             else
                 scan_symbol(token);
@@ -102,34 +125,34 @@ void Lexer::next(Token& token) {
 
 /// Moves to the next byte of a token; true if a directive comment was met on the way and is now `token`.
 bool Lexer::skip_blanks(Token& token) {
-    while (at_ != end_) {
-        if (class_of(*at_) == blank) {
-            ++at_;
-        } else if (*at_ == '/' && at_ + 1 != end_ && at_[1] == '/') {
-            const char* const begin = at_;
-            skip_line_comment();
-            const std::string_view comment(begin, at_ - begin);
-            if (!comment.starts_with(choice_prefix)) {
-                const std::size_t length = near_choice_ ? near_choice_prefix(comment) : 0;
-                if (length != 0) (*near_choice_)(span(begin, begin + length));
-                continue;
-            }
-            token.kind = Token::Kind::choice;
-            token.text = comment.substr(choice_prefix.size());
-            token.span = span(begin, at_);
-            return true;
-        } else if (*at_ == '/' && at_ + 1 != end_ && at_[1] == '*') {
+    for (;;) {
+        at_ = skip_space(at_);
+        if (end_ - at_ < 2 || *at_ != '/') return false;
+        if (at_[1] == '/') {
+            if (scan_line_comment(token)) return true;
+        } else if (at_[1] == '*') {
             skip_block_comment();
         } else {
             return false;
         }
     }
-    return false;
 }
 
-void Lexer::skip_line_comment() {
+/// True if the comment is a directive, which is now `token`.
+bool Lexer::scan_line_comment(Token& token) {
+    const char* const begin = at_;
     at_ = std::find(at_, end_, '\n');
     if (at_[-1] == '\r') --at_;
+    const std::string_view comment(begin, at_ - begin);
+    if (!comment.starts_with(choice_prefix)) {
+        const std::size_t length = near_choice_ ? near_choice_prefix(comment) : 0;
+        if (length != 0) (*near_choice_)(span(begin, begin + length));
+        return false;
+    }
+    token.kind = Token::Kind::choice;
+    token.text = comment.substr(choice_prefix.size());
+    token.span = span(begin, at_);
+    return true;
 }
 
 void Lexer::skip_block_comment() {
@@ -151,10 +174,12 @@ void Lexer::skip_block_comment() {
 
 void Lexer::scan_number(Token& token) {
     const char* const begin = at_;
-    at_ = literal_end(at_, end_);
+    if (!scan_short_decimal(at_, end_, token.number)) {
+        at_ = literal_end(begin, end_);
+        token.number = literal_value(begin, at_);
+    }
     if (at_ != end_ && *at_ == '.') fail(begin, at_ + 1, "Unexpected additional '.' in floating-point number");
     token.kind = Token::Kind::number;
-    token.number = literal_value(begin, at_);
 }
 
 void Lexer::scan_string(Token& token) {
@@ -168,7 +193,7 @@ void Lexer::scan_string(Token& token) {
 
 void Lexer::scan_name(Token& token) {
     const char* const begin = at_;
-    while (at_ != end_ && (class_of(*at_) == letter || class_of(*at_) == digit)) ++at_;
+    while (at_ != end_ && class_of(*at_) >= digit) ++at_;
     token.text = std::string_view(begin, at_ - begin);
     token.word = find_word(token.text);
     token.kind = token.word == Word::none ? Token::Kind::identifier : Token::Kind::word;
@@ -184,47 +209,57 @@ void Lexer::scan_symbol(Token& token) {
     }
 }
 
-bool Lexer::scan_plain_vector(Vec3& v) {
-    const char* at = at_;
-    const auto skip_to = [&](char symbol) {
-        while (at != end_ && class_of(*at) == blank) ++at;
-        if (at == end_ || *at != symbol) return false;
-        ++at;
-        return true;
-    };
-    if (!skip_to('<') || !scan_plain_literal(at, v[0]) || !skip_to(',') || !scan_plain_literal(at, v[1]) || !skip_to(',') ||
-        !scan_plain_literal(at, v[2]) || !skip_to('>') || !ends_expression(at))
-        return false;
+std::size_t Lexer::scan_plain_value(std::span<double> v, bool condition) {
+    const char* at = skip_space(at_);
+    std::size_t size = 1;
+    if (at != end_ && *at == '<') {
+        size = scan_plain_vector(++at, v);
+        if (size < 2) return 0;
+    } else if (!scan_plain_literal(at, v[0])) {
+        return 0;
+    }
+    if (!ends_expression(at, condition)) return 0;
     at_ = at;
-    return true;
+    return size;
 }
 
-bool Lexer::scan_plain_number(double& number) {
-    const char* at = at_;
-    if (!scan_plain_literal(at, number) || !ends_expression(at)) return false;
-    at_ = at;
-    return true;
+/// The components after '<', and the '>': their number, or 0 if there are more than `v` holds or anything else is between them.
+std::size_t Lexer::scan_plain_vector(const char*& at, std::span<double> v) const {
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        at = skip_space(at);
+        if (!scan_plain_literal(at, v[i])) return 0;
+        at = skip_space(at);
+        if (at == end_ || (*at != ',' && *at != '>')) return 0;
+        if (*at++ == '>') return i + 1;
+    }
+    return 0;
 }
 
 /// A sign and a literal; digits only, so that everything unusual takes the common way.
 bool Lexer::scan_plain_literal(const char*& at, double& number) const {
-    while (at != end_ && class_of(*at) == blank) ++at;
     const bool negative = at != end_ && *at == '-';
     const char* const begin = at + (negative ? 1 : 0);
-    if (begin == end_ || (class_of(*begin) != digit && *begin != '.')) return false;
-    const auto result = std::from_chars(begin, end_, number);
-    if (result.ec != std::errc{}) return false;
-    at = result.ptr;
+    at = begin;
+    if (!scan_short_decimal(at, end_, number)) {
+        if (begin == end_ || (!is_digit(*begin) && *begin != '.')) return false;
+        const auto result = std::from_chars(begin, end_, number);
+        if (result.ec != std::errc{}) return false;
+        at = result.ptr;
+    }
     if (negative) number = -number;
     return at == end_ || (class_of(*at) != letter && *at != '.');
 }
 
 /// True if what follows `at` is neither an operator nor anything that has to be looked at more closely.
-bool Lexer::ends_expression(const char* at) const {
-    while (at != end_ && class_of(*at) == blank) ++at;
+bool Lexer::ends_expression(const char* at, bool condition) const {
+    at = skip_space(at);
     if (at == end_) return false;
-    const CharClass c = class_of(*at);
-    return c == letter || c == digit || *at == ',' || *at == '}' || *at == '{' || *at == '<' || *at == ';';
+    return class_of(*at) >= digit || *at == ',' || *at == '}' || *at == '{' || *at == ';' || (*at == '<' && !condition);
+}
+
+const char* Lexer::skip_space(const char* at) const {
+    while (at != end_ && class_of(*at) == blank) ++at;
+    return at;
 }
 
 void Lexer::fail(const char* begin, const char* end, std::string_view text) const {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "core/source.h"
-#include "core/vec.h"
 #include "syntax/token.h"
 
 namespace rt {
@@ -23,11 +23,9 @@ public:
     /// numbers that are no token.
     void next(Token& token);
 
-    /// Fast path of number-heavy files: reads `<a, b, c>` of plain literals if exactly that comes next and nothing after it
-    /// could continue the expression; otherwise reads nothing and returns false.
-    bool scan_plain_vector(Vec3& v);
-    /// The same for one plain number.
-    bool scan_plain_number(double& number);
+    /// Fast path of number-heavy files: reads one number or one `<a, b, c>` of at most `v.size()` plain literals if exactly that comes next
+    /// and nothing after it could continue the expression ('<' does so in a condition only). The number of components; 0: nothing was read.
+    std::size_t scan_plain_value(std::span<double> v, bool condition);
 
     std::uint32_t position() const { return static_cast<std::uint32_t>(at_ - text_); }
     void seek(std::uint32_t position) { at_ = text_ + position; }
@@ -35,14 +33,16 @@ public:
 
 private:
     bool skip_blanks(Token& token);
-    void skip_line_comment();
+    bool scan_line_comment(Token& token);
     void skip_block_comment();
     void scan_number(Token& token);
     void scan_string(Token& token);
     void scan_name(Token& token);
     void scan_symbol(Token& token);
+    std::size_t scan_plain_vector(const char*& at, std::span<double> v) const;
     bool scan_plain_literal(const char*& at, double& number) const;
-    bool ends_expression(const char* at) const;
+    bool ends_expression(const char* at, bool condition) const;
+    const char* skip_space(const char* at) const;
     [[noreturn]] void fail(const char* begin, const char* end, std::string_view text) const;
     Span span(const char* begin, const char* end) const;
 

@@ -87,11 +87,8 @@ struct Reader::State : Reader::Cursor {
     void accept_semicolon();
     std::optional<Deprecation> parse_deprecation();
 
-    // --- fast paths of plain literals (reader_values.cpp); false: nothing was read
-    bool scan_plain_number(double& x);
-    bool scan_plain_vector(Vec3& v);
-    template <typename Scan>
-    bool scan_plain(Scan scan);
+    /// Fast path of plain literals (reader_values.cpp): the size of the number that was read, 0 if nothing was.
+    std::size_t scan_plain(std::span<double> v, bool condition = false);
 
     // --- nesting
     void enter(const Span& place);

@@ -19,7 +19,7 @@ void require_finite(Reader::State& state, const Span& first, double x) {
 
 double Reader::parse_float() {
     double x;
-    if (state_->scan_plain_number(x)) return x;
+    if (state_->scan_plain({&x, 1}) != 0) return x;
     const Span first = peek().span;
     x = Expression(*state_).sum_float();
     require_finite(*state_, first, x);
@@ -51,7 +51,7 @@ bool Reader::at_expression() {
 
 Vec3 Reader::parse_vector() {
     Vec3 v;
-    if (state_->scan_plain_vector(v)) return v;
+    if (const std::size_t size = state_->scan_plain({&v.x, 3}); size != 0) return size == 1 ? Vec3(v.x) : v;
     const Span first = peek().span;
     v = Expression(*state_).sum_vector();
     for (int i = 0; i < 3; ++i) require_finite(*state_, first, v[i]);
@@ -59,6 +59,8 @@ Vec3 Reader::parse_vector() {
 }
 
 Vec2 Reader::parse_vector2() {
+    Vec3 v;
+    if (const std::size_t size = state_->scan_plain({&v.x, 3}); size != 0) return size == 1 ? Vec2(v.x) : Vec2(v);
     const Span first = peek().span;
     const Number n = Expression(*state_).sum();
     for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
@@ -68,43 +70,40 @@ Vec2 Reader::parse_vector2() {
 }
 
 Number Reader::parse_condition() {
+    Number n;
+    if (const std::size_t size = state_->scan_plain(n.v, true); size != 0) {
+        n.size = static_cast<int>(size);
+        return n;
+    }
     const Span first = peek().span;
-    const Number n = Expression(*state_).condition();
+    n = Expression(*state_).condition();
     for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
     return n;
 }
 
 std::string Reader::parse_string() { return Expression(*state_).string(); }
 
-bool Reader::State::scan_plain_number(double& x) {
-    return scan_plain([&](Lexer& lexer) { return lexer.scan_plain_number(x); });
-}
-
-bool Reader::State::scan_plain_vector(Vec3& v) {
-    return scan_plain([&](Lexer& lexer) { return lexer.scan_plain_vector(v); });
-}
-
 /// Scans from the token that was looked at, if any: that is possible where it stands just before the lexer and began a literal.
-template <typename Scan>
-bool Reader::State::scan_plain(Scan scan) {
+std::size_t Reader::State::scan_plain(std::span<double> v, bool condition) {
     Lexer& lexer = frames.back().lexer;
     const std::uint32_t position = lexer.position();
     std::uint32_t begin = position;
     if (has_ahead) {
         const bool literal = ahead.kind == Token::Kind::number || ahead.is('<') || ahead.is('-');
-        if (!literal || ahead.span.file != lexer.file() || ahead.span.end != position) return false;
+        if (!literal || ahead.span.file != lexer.file() || ahead.span.end != position) return 0;
         begin = ahead.span.begin;
         lexer.seek(begin);
     }
-    if (!scan(lexer)) {
+    const std::size_t size = lexer.scan_plain_value(v, condition);
+    if (size == 0) {
         lexer.seek(position);
-        return false;
+        return 0;
     }
     has_ahead = false;
     last = {lexer.file(), begin, lexer.position()};
     last_word = Word::none;
     anything_read = true;
-    return true;
+    return size;
 }
 
 }  // namespace rt
