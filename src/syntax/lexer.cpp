@@ -33,27 +33,33 @@ CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// Above 9 for anything but a digit.
+unsigned digit_value(char c) { return static_cast<unsigned char>(c) - unsigned{'0'}; }
+
+bool is_digit(char c) { return digit_value(c) <= 9; }
 
 constexpr std::array powers_of_ten{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
 /// Reads digits with at most one point if there are few enough: their whole number and the power of ten are exact doubles then, and so the
-/// quotient is the nearest one to what is written (Clinger 1990, "How to Read Floating Point Numbers Accurately"). `at` moves past them.
-/// False, with `at` somewhere among them, if there are too many or none, or an exponent follows.
-bool scan_short_decimal(const char*& at, const char* end, double& value) {
-    std::uint64_t digits = 0;
-    const char* const begin = at;
-    for (; at != end && is_digit(*at); ++at) digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
-    std::ptrdiff_t count = at - begin, decimals = 0;
+/// quotient is the nearest one to what is written (Clinger 1990, "How to Read Floating Point Numbers Accurately"). Returns their end; null
+/// if there are too many or none, or an exponent follows.
+const char* scan_short_decimal(const char* at, const char* end, double& value) {
+    std::uint64_t number = 0;
+    const auto skip_digits = [&] {
+        const char* const begin = at;
+        for (unsigned d; at != end && (d = digit_value(*at)) <= 9; ++at) number = 10 * number + d;
+        return static_cast<std::size_t>(at - begin);
+    };
+    std::size_t digits = skip_digits();
+    std::size_t decimals = 0;
     if (at != end && *at == '.') {
-        const char* const point = at++;
-        for (; at != end && is_digit(*at); ++at) digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
-        decimals = at - point - 1;
-        count += decimals;
+        ++at;
+        decimals = skip_digits();
+        digits += decimals;
     }
-    if (count == 0 || count >= static_cast<std::ptrdiff_t>(powers_of_ten.size()) || (at != end && (*at == 'e' || *at == 'E'))) return false;
-    value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers_of_ten[static_cast<std::size_t>(decimals)];
-    return true;
+    if (digits == 0 || digits >= powers_of_ten.size() || (at != end && (*at == 'e' || *at == 'E'))) return nullptr;
+    value = static_cast<double>(static_cast<std::int64_t>(number)) / powers_of_ten[decimals];
+    return at;
 }
 
 /// End of the literal that begins at `at`: digits with at most one point, then an exponent whose digits may be missing, as POV-Ray reads
@@ -174,7 +180,8 @@ void Lexer::skip_block_comment() {
 
 void Lexer::scan_number(Token& token) {
     const char* const begin = at_;
-    if (!scan_short_decimal(at_, end_, token.number)) {
+    at_ = scan_short_decimal(begin, end_, token.number);
+    if (at_ == nullptr) {
         at_ = literal_end(begin, end_);
         token.number = literal_value(begin, at_);
     }
@@ -239,8 +246,8 @@ std::size_t Lexer::scan_plain_vector(const char*& at, std::span<double> v) const
 bool Lexer::scan_plain_literal(const char*& at, double& number) const {
     const bool negative = at != end_ && *at == '-';
     const char* const begin = at + (negative ? 1 : 0);
-    at = begin;
-    if (!scan_short_decimal(at, end_, number)) {
+    at = scan_short_decimal(begin, end_, number);
+    if (at == nullptr) {
         if (begin == end_ || (!is_digit(*begin) && *begin != '.')) return false;
         const auto result = std::from_chars(begin, end_, number);
         if (result.ec != std::errc{}) return false;
