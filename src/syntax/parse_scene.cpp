@@ -22,6 +22,14 @@ void count_texture(Reader& reader, const Span& place, const TextureLayers& layer
     if (reader.is_first_use(layers)) reader.count_scene_nodes(place, tree_size(*layers).nodes - 1);
 }
 
+/// Gives an object the texture of the one before it if the two are equal: many files repeat one texture in every object. What patterns and
+/// layers add up to is counted for each, so those stay as they are.
+void share_texture(const std::vector<Object>& placed, TextureLayers& layers) {
+    if (placed.empty() || layers->size() > 1 || has_any_pattern(layers)) return;
+    const std::optional<TextureLayers>& last = placed.back().texture;
+    if (last && last->identity() != layers.identity() && *last == layers) layers = *last;
+}
+
 /// Makes room for as many objects as the rest of the file would hold at the rate so far: what moves when the list grows has to be paid
 /// for in pages, which cost as much as reading.
 void make_room(Reader& reader) {
@@ -38,6 +46,7 @@ void place_objects(Reader& reader, ObjectValue value) {
         if (!object.texture) object.texture = reader.default_texture();
         count_texture(reader, object.span, *object.texture);
         if (object.interior_texture) count_texture(reader, object.span, *object.interior_texture);
+        share_texture(reader.scene().objects, *object.texture);
         make_room(reader);
         reader.scene().objects.push_back(std::move(object));
     }
