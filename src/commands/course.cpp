@@ -55,7 +55,7 @@ int pixelray(CourseArguments arguments) {
 int firsthit(CourseArguments arguments) {
     const MessageSink silent = message_sink(true);
     const Scene scene = read_scene(arguments.job, silent);
-    const World world = build_world(arguments.job, scene, silent);
+    const World world = build_world(arguments.job, scene, silent, FewRays{.camera = 1, .shaded = false});
     TraceOptions flat;
     flat.course.emplace().show = CourseShow::pigment;
     RayLog log;
@@ -69,8 +69,8 @@ TracedPixel trace(CourseArguments& arguments) {
     const RenderJob& job = arguments.job;
     TracedPixel traced;
     traced.scene = read_scene(arguments.job, silent);
-    const World world = build_world(job, traced.scene, silent);
     RenderOptions options = render_options(job, traced.scene);
+    const World world = build_world(job, traced.scene, silent, few_rays_of_pixel(options, traced.scene.settings.max_trace_level));
     options.trace.environment = read_surroundings(job.environment);
     traced.rays = trace_pixel(world, std::move(options), arguments.x, row_from_top(arguments));
     Encoding encoding = encoding_of(job, traced.scene.settings.gamma);
@@ -112,7 +112,7 @@ int pixeltrace(CourseArguments arguments) {
 int printbvh(CourseArguments arguments) {
     const MessageSink silent = message_sink(true);
     const Scene scene = read_scene(arguments.job, silent);
-    write_stdout(printbvh_text(scene, build_world(arguments.job, scene, silent)));
+    write_stdout(printbvh_text(scene, build_world(arguments.job, scene, silent, FewRays{.camera = 0, .shaded = false})));
     return 0;
 }
 

@@ -70,8 +70,10 @@ Scene read_scene(RenderJob& job, const MessageSink& messages) {
     return scene;
 }
 
-World build_world(const RenderJob& job, const Scene& scene, const MessageSink& messages) {
-    return compile(scene, compile_options(job, scene), messages);
+World build_world(const RenderJob& job, const Scene& scene, const MessageSink& messages, std::optional<FewRays> few_rays) {
+    CompileOptions options = compile_options(job, scene);
+    options.few_rays = few_rays;
+    return compile(scene, options, messages);
 }
 
 RenderOptions render_options(const RenderJob& job, const Scene& scene) {

@@ -8,8 +8,10 @@ namespace rt {
 
 namespace {
 
+int samples_a_side(const Sampling& sampling) { return sampling.method == Sampling::Method::grid ? sampling.depth : 1; }
+
 std::vector<RayLog> samples_of(Tracer& tracer, const World& world, const RenderOptions& options, const PixelPlace& place) {
-    const int n = options.sampling.method == Sampling::Method::grid ? options.sampling.depth : 1;
+    const int n = samples_a_side(options.sampling);
     std::vector<RayLog> samples;
     for (int sub_y = place.y * n; sub_y < (place.y + 1) * n; ++sub_y) {
         for (int sub_x = place.x * n; sub_x < (place.x + 1) * n; ++sub_x) {
@@ -22,11 +24,22 @@ std::vector<RayLog> samples_of(Tracer& tracer, const World& world, const RenderO
 
 }  // namespace
 
+std::optional<FewRays> few_rays_of_pixel(const RenderOptions& options, int scene_level) {
+    const Sampling& sampling = options.sampling;
+    const bool fixed = sampling.method == Sampling::Method::none || sampling.method == Sampling::Method::grid;
+    const bool indirect = options.trace.course && !options.trace.course->indirect_samples.empty();
+    if (!fixed || indirect || options.edges.kind != EdgeOptions::Kind::off) return std::nullopt;
+    const int n = samples_a_side(sampling);
+    const int level = options.trace.course ? options.trace.course->further_rays : options.trace.max_trace_level.value_or(scene_level);
+    return FewRays{.camera = 2 * n * n, .further = level};  // once for the light in the picture, once for the record
+}
+
 PixelRays trace_pixel(const World& world, RenderOptions options, int x, int y) {
     options.region = Region{x, y, x + 1, y + 1};
+    options.only_region = true;
     options.threads = 1;
     PixelRays rays;
-    rays.pixel = render(world, options).film.at(x, y);
+    rays.pixel = render(world, options).film.at(0, 0);
     Tracer tracer(world, options.trace);
     rays.samples = samples_of(tracer, world, options, {x, y});
     return rays;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trace/render.h"
+#include "world/compile.h"
 
 namespace rt {
 
@@ -13,6 +14,9 @@ struct PixelRays {
     Pixel pixel;                  ///< as `render` makes it, bit for bit
     std::vector<RayLog> samples;  ///< one for each camera ray, row by row from the top
 };
+
+/// How few rays `trace_pixel` follows with these options, where `scene_level` is the scene's max_trace_level; unset where they are many.
+std::optional<FewRays> few_rays_of_pixel(const RenderOptions& options, int scene_level);
 
 /// Pixel (x, y) of the picture that `options` describe, counted from the top left, with the rays of its samples: one, or those of a grid
 /// (with anti-aliasing that looks at the neighbours, the one through the centre). `x` and `y` are inside the picture.

@@ -249,13 +249,14 @@ void prepare(Worker& worker, const World& world, const RenderOptions& options) {
 
 bool finite(const Pixel& p) { return std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b) && std::isfinite(p.transmittance); }
 
-/// Copies what of the tile is finished and inside the region. Tiles never overlap, so no two workers touch one pixel.
-void store(Worker& worker, const Region& tile, int rows, const Region& region, Film& film) {
+/// Copies what of the tile is finished and inside the region. The film shows `frame`. Tiles never overlap, so no two workers touch one
+/// pixel.
+void store(Worker& worker, const Region& tile, int rows, const Region& region, const Region& frame, Film& film) {
     for (int y = std::max(tile.y0, region.y0); y < std::min(tile.y0 + rows, region.y1); ++y) {
         for (int x = std::max(tile.x0, region.x0); x < std::min(tile.x1, region.x1); ++x) {
             const Pixel& p = worker.pixels[static_cast<std::size_t>(y - tile.y0) * tile.width() + (x - tile.x0)];
             if (finite(p)) {
-                film.at(x, y) = p;
+                film.at(x - frame.x0, y - frame.y0) = p;
             } else {
                 ++worker.non_finite;
             }
@@ -283,8 +284,9 @@ void check_limits(const RenderOptions& options) {
 RenderResult render(const World& world, const RenderOptions& options) {
     check_limits(options);
     RenderResult result;
-    result.film = Film(options.width, options.height);
     const Region region = clipped(options);
+    const Region frame = options.only_region ? region : Region{0, 0, options.width, options.height};
+    result.film = Film(frame.width(), frame.height());
     const std::vector<Region> tiles = choose_tiles(options, region);
     std::vector<Worker> workers(worker_count(options.threads, tiles.size()));
     Progress progress(options.progress, tiles.size());
@@ -292,7 +294,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
         Worker& worker = workers[index];
         if (!worker.tracer) prepare(worker, world, options);
         const int rows = worker.task.stopped() ? 0 : sample_tile(worker.task, tiles[tile], worker.pixels);
-        store(worker, tiles[tile], rows, region, result.film);
+        store(worker, tiles[tile], rows, region, frame, result.film);
         if (rows == tiles[tile].height()) {
             progress.tile_done();
         } else {

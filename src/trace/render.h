@@ -16,6 +16,7 @@ struct RenderOptions {
     int width = 800;
     int height = 600;
     std::optional<Region> region;  ///< pixels outside stay 0; clipped to the picture
+    bool only_region = false;      ///< the film holds the region alone, not the whole picture
     int threads = 0;               ///< 0: all cores
     Sampling sampling;
     /// The scene's working space, for the comparison of colours in anti-aliasing. A legacy scene has gamma 1.

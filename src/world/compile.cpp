@@ -123,6 +123,22 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
     return surfaces;
 }
 
+/// Light arrives along one shadow ray a lamp, and each surface in a chain adds a ray, or two if it can transmit.
+double most_rays(const World& world, const FewRays& few) {
+    if (!few.shaded) return few.camera;
+    if (world.features.area_lights) return infinity;
+    const double surfaces = world.features.transmits ? std::exp2(few.further + 1.0) : world.features.reflects ? few.further + 1.0 : 1.0;
+    return few.camera * surfaces * (1.0 + static_cast<double>(world.lights.size()));
+}
+
+/// What `automatic` means in this world. Both kinds find the same hits if they have to be exact.
+IndexKind choose_index(const World& world, const CompileOptions& options) {
+    // To build an index takes as long as some 80 rays that ask every surface: measured 4.6 ms and 0.06 ms a ray for 7,400 spheres.
+    constexpr double list_rays = 64.0;
+    const bool free = options.index == IndexKind::automatic && options.precision == Precision::exact;
+    return free && options.few_rays && most_rays(world, *options.few_rays) <= list_rays ? IndexKind::brute_force : options.index;
+}
+
 }  // namespace
 
 World compile(const Scene& scene, const CompileOptions& options, const MessageSink& warn) {
@@ -140,7 +156,9 @@ World compile(const Scene& scene, const CompileOptions& options, const MessageSi
         Surfaces surfaces = compile_objects(scene, options, warn, world);
         find_camera_interiors(surfaces, world);
         world.scene_extent = extent(surfaces);
-        world.surfaces = std::make_unique<SurfaceIndex>(std::move(surfaces), options);
+        CompileOptions chosen = options;
+        chosen.index = choose_index(world, options);
+        world.surfaces = std::make_unique<SurfaceIndex>(std::move(surfaces), chosen);
     } catch (const std::bad_alloc&) {
         throw LimitError("not enough memory for the scene's surfaces");
     }

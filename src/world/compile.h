@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "world/model_choice.h"
 #include "world/world.h"
@@ -12,12 +13,23 @@ enum class Profile { povray, csc473 };
 /// fast: Embree's own triangles, the hit refined in double. exact: double callbacks, bit for bit what brute force finds.
 enum class Precision { fast, exact };
 enum class IndexKind { automatic, embree, brute_force };
+
+/// All the rays that a world will be asked for, at most: some from the camera, and after each of them chains of mirrored and transmitted
+/// ones.
+struct FewRays {
+    int camera = 1;
+    int further = 0;     ///< length of the chains
+    bool shaded = true;  ///< else there are neither chains nor shadow rays
+};
+
 struct CompileOptions {
     Profile profile = Profile::povray;
     Precision precision = Precision::exact;
     IndexKind index = IndexKind::automatic;
     AlphaMapping alpha = AlphaMapping::roughness2;
     int threads = 0;  ///< for building the index; 0: all cores
+    /// Unset: too many to count. The automatic index is none where asking every surface so often is quicker than to build one.
+    std::optional<FewRays> few_rays;
     /// What the finish of this place chooses of the catalogue; nothing: the general form with GGX, Smith and Schlick.
     std::function<ModelChoice(const Finish&)> choose;
     bool general_shading = true;  ///< warn of what only the general form's shading cannot take as it is
