@@ -1,6 +1,8 @@
 // sceneinfo: what a scene says, as the course prints it.
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "commands/course_text.h"
 
 namespace rt {
@@ -66,11 +68,13 @@ std::string sceneinfo_text(const Scene& scene) {
     text += fmt::format("\n---\n\n{} object(s)\n", scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        text += fmt::format("\nObject[{}]:\n- Type: {}\n{}", i, type_text(object), std::visit(ShapeLines{}, object.shape));
+        fmt::format_to(std::back_inserter(text), "\nObject[{}]:\n- Type: {}\n{}", i, type_text(object),
+                       std::visit(ShapeLines{}, object.shape));
         const PlainTexture* texture = object.texture ? plain_texture(**object.texture) : nullptr;
         if (!texture) continue;
-        text += fmt::format("- Color: {}\n- Material:\n  - Ambient: {}\n  - Diffuse: {}\n", vector_text(plain_color(texture->pigment)),
-                            number_text(texture->finish.ambient.r), number_text(texture->finish.diffuse));
+        fmt::format_to(std::back_inserter(text), "- Color: {}\n- Material:\n  - Ambient: {}\n  - Diffuse: {}\n",
+                       vector_text(plain_color(texture->pigment)), number_text(texture->finish.ambient.r),
+                       number_text(texture->finish.diffuse));
     }
     return text;
 }

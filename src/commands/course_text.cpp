@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace rt {
@@ -86,10 +89,29 @@ void draw(const Scene& scene, const RayLog& log, std::uint32_t index, const std:
 
 std::string number_text(double x) {
     constexpr double rounding = 1e-12;  // more than the results of a few operations in double precision are off
-    return fmt::format("{:.4f}", x * (1.0 + rounding));
+    const double shown = x * (1.0 + rounding);
+    // Its size in ten thousandths: a whole number and a rest, known to 1e-4 even after the product was rounded. Unless the rest is about a
+    // half, that decides the digits; sceneinfo prints a hundred thousand numbers.
+    const double size = std::fabs(shown) * 1e4;
+    const double whole = std::floor(size);
+    const double rest = (size - whole) + std::fma(std::fabs(shown), 1e4, -size);
+    if (!(size < 1e12) || std::fabs(rest - 0.5) < 1e-3) return fmt::format("{:.4f}", shown);
+    char text[24];
+    char* at = std::end(text);
+    auto left = static_cast<std::uint64_t>(whole) + (rest > 0.5);
+    for (int digit = 0; digit < 5 || left > 0; ++digit, left /= 10) {
+        if (digit == 4) *--at = '.';
+        *--at = static_cast<char>('0' + left % 10);
+    }
+    if (std::signbit(shown)) *--at = '-';
+    return {at, std::end(text)};
 }
 
-std::string vector_text(const Vec3& v) { return fmt::format("{{{} {} {}}}", number_text(v.x), number_text(v.y), number_text(v.z)); }
+std::string vector_text(const Vec3& v) {
+    std::string text = "{";
+    for (int i = 0; i < 3; ++i) text.append(i == 0 ? "" : " ").append(number_text(v[i]));
+    return text + "}";
+}
 
 std::string ray_text(const Ray& ray) { return fmt::format("{} -> {}", vector_text(ray.origin), vector_text(ray.direction)); }
 

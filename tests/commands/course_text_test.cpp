@@ -1,7 +1,12 @@
 // What the course's commands print, from records made by hand.
 #include "commands/course_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
 
 #include "commands/told_pixel_file.h"
 
@@ -27,6 +32,20 @@ TEST(CourseNumbers, KeepTheSignOfZero) {
     EXPECT_EQ(number_text(-0.0), "-0.0000");
     EXPECT_EQ(number_text(-0.00001), "-0.0000");
     EXPECT_EQ(vector_text(Vec3(0, -1e-9, 2)), "{0.0000 -0.0000 2.0000}");
+}
+
+TEST(CourseNumbers, AreWhatPrintingWithFourDecimalsGives) {
+    const auto expect_printed = [](double x) {
+        EXPECT_EQ(number_text(x), fmt::format("{:.4f}", x * (1.0 + 1e-12))) << fmt::format("{:a}", x);
+    };
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 20000; ++i) {
+        expect_printed(std::bit_cast<double>(random()));                                   // any double, infinities and NaN among them
+        expect_printed(std::ldexp(static_cast<double>(random()), i % 160 - 140));          // near the sizes of scenes
+        expect_printed(static_cast<double>(random() % 4000000) / 20000.0);                 // halves of the last digit
+        expect_printed(std::nextafter(static_cast<double>(random() % 4000000) / 1e4, 1));  // and whole ones
+    }
+    for (const double x : {99999999.99995, 1e8, 1e12, 1e300, 4e-5, 5e-5, 0.99995, 0.99994999999}) expect_printed(x), expect_printed(-x);
 }
 
 class CourseText : public testing::Test {

@@ -67,6 +67,20 @@ TEST(ObjectTransforms, APlainTextureIsSharedByObjectsHoweverTheyAreMoved) {
     EXPECT_EQ(p.scene.objects.at(0).texture->identity(), p.scene.objects.at(1).texture->identity());
 }
 
+TEST(ObjectTextures, AreSharedWhereTheyAreEqualAndPlain) {
+    const auto shared = [](const std::string& first, const std::string& second) {
+        const ParsedScene p = parse_block("sphere { 0, 1 " + first + " } sphere { 0, 1 " + second + " }");
+        return p.scene.objects.at(0).texture->identity() == p.scene.objects.at(1).texture->identity();
+    };
+    const std::string red = "pigment { rgb <1, 0, 0> } finish { phong 1 }";
+    EXPECT_TRUE(shared(red, red));
+    EXPECT_TRUE(shared(red, "finish { phong 1 } pigment { rgb x }"));
+    EXPECT_FALSE(shared(red, "pigment { rgb <1, 0, 0> } finish { phong 0.5 }"));
+    EXPECT_FALSE(shared(red, "pigment { rgb <1, 0, 0.001> } finish { phong 1 }"));
+    EXPECT_FALSE(shared("pigment { checker }", "pigment { checker }"));
+    EXPECT_FALSE(shared("texture { " + red + " } texture { " + red + " }", "texture { " + red + " } texture { " + red + " }"));
+}
+
 TEST(ObjectTransforms, MatterToAPatternThatReplacesAPlainColour) {
     const Object o = sphere_with("pigment { rgb 1 } scale 2 pigment { checker }");
     EXPECT_EQ(layer(o).pigment.transform->point(Vec3(1.0)), Vec3(2.0));

@@ -1,9 +1,13 @@
 #include "syntax/lexer.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdlib>
 #include <limits>
+#include <random>
 #include <set>
 
 namespace rt {
@@ -114,6 +118,56 @@ TEST(Lexer, NumbersOfEveryForm) {
     EXPECT_EQ(scan("1e999")->tokens[0].number, std::numeric_limits<double>::infinity());
     EXPECT_EQ(scan("1" + std::string(400, '0'))->tokens[0].number, std::numeric_limits<double>::infinity());
     EXPECT_EQ(scan("." + std::string(400, '0') + "1")->tokens[0].number, 0.0);
+}
+
+TEST(Lexer, DecimalsOfAnyLengthAreTheNearestDoubles) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 30000; ++i) {
+        std::string text;
+        const auto digits = static_cast<int>(random() % 22 + 1);
+        for (int d = 0; d < digits; ++d) text += static_cast<char>('0' + random() % 10);
+        text.insert(random() % (text.size() + 1), random() % 4 == 0 ? "" : ".");
+        const auto scanned = scan(text);
+        ASSERT_EQ(scanned->tokens.size(), 1u) << text;
+        ASSERT_EQ(scanned->tokens[0].number, std::strtod(text.c_str(), nullptr)) << text;
+        double value = 0.0;
+        Lexer lexer(scanned->sources, 0);
+        ASSERT_EQ(lexer.scan_plain_value({&value, 1}, false), 0u) << "the end may not be the end of the expression";
+        scanned->sources.add({"u.pov", "-" + text + " x"});
+        Lexer plain(scanned->sources, 1);
+        ASSERT_EQ(plain.scan_plain_value({&value, 1}, false), 1u) << text;
+        ASSERT_EQ(value, -std::strtod(text.c_str(), nullptr)) << text;
+    }
+}
+
+/// How many components the fast path reads, and what is left of the text.
+std::string plain(const std::string& text, std::size_t most, bool condition = false) {
+    Sources sources;
+    sources.add({"t.pov", text});
+    Lexer lexer(sources, 0);
+    std::array<double, 5> v{};
+    const std::size_t size = lexer.scan_plain_value(std::span(v).first(most), condition);
+    return fmt::format("{}:{}", size, text.substr(lexer.position()));
+}
+
+TEST(Lexer, PlainValuesAreReadAtOnce) {
+    EXPECT_EQ(plain(" < 1, -2.5 ,3e2 >\n}", 3), "3:\n}");
+    EXPECT_EQ(plain("<1,2> <3", 3), "2: <3");
+    EXPECT_EQ(plain("<1,2,3,4,.5>pigment", 5), "5:pigment");
+    EXPECT_EQ(plain("-7, 8", 1), "1:, 8");
+    EXPECT_EQ(plain("4 {", 3), "1: {");
+}
+
+TEST(Lexer, WhatMayGoOnIsNoPlainValue) {
+    for (const std::string text :
+         {"<1,2,3> * 2",   "<1,2,3>.x",   "<1 2 3> }",   "<1,2,3",   "<1,2,a> }", "<1> }", "<> }", "< }", "<1,2,3,4> }",
+          "<1,2,3> /**/}", "1 + 2",       "1.2.3 }",     "1e }",     "- 1 }",     "1x }",  "1",    "",    " ",
+          "x }",           "<1,2,- 3> }", "<1,2,3.x> }", "1 ? 2 : 3"})
+        EXPECT_EQ(plain(text, 3), "0:" + text);
+    EXPECT_EQ(plain("1 < 2", 5, true), "0:1 < 2");
+    EXPECT_EQ(plain("<1,2,3> <", 5, true), "0:<1,2,3> <");
+    EXPECT_EQ(plain("<1,2,3> <", 3), "3: <");
+    EXPECT_EQ(plain("<1,2,3> x", 1), "0:<1,2,3> x");
 }
 
 TEST(Lexer, WhereANumberEnds) {

@@ -88,5 +88,32 @@ TEST_P(PixelRaysTest, StopWhenAsked) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, PixelRaysTest, testing::Values(1, 3));
 
+TEST(PixelRays, FollowsFewRaysUnlessASampleBringsMany) {
+    RenderOptions options;
+    options.trace.max_trace_level = 3;
+    const auto expect = [&](int camera, int further) {
+        const std::optional<FewRays> few = few_rays_of_pixel(options, 9);
+        ASSERT_TRUE(few);
+        EXPECT_EQ(few->camera, camera);
+        EXPECT_EQ(few->further, further);
+        EXPECT_TRUE(few->shaded);
+    };
+    expect(2, 3);
+    options.trace.max_trace_level.reset();
+    expect(2, 9);
+    options.trace.course.emplace();
+    options.sampling.method = Sampling::Method::grid;
+    options.sampling.depth = 3;
+    expect(18, 6);
+    options.trace.course->indirect_samples = {64};
+    EXPECT_FALSE(few_rays_of_pixel(options, 9));
+    options.trace.course.emplace();
+    options.sampling.method = Sampling::Method::povray1;
+    EXPECT_FALSE(few_rays_of_pixel(options, 9));
+    options.sampling.method = Sampling::Method::none;
+    options.edges.kind = EdgeOptions::Kind::crease;
+    EXPECT_FALSE(few_rays_of_pixel(options, 9));
+}
+
 }  // namespace
 }  // namespace rt

@@ -93,6 +93,18 @@ TEST_P(SameBytes, ForAnySplitIntoRegions) {
     }
 }
 
+TEST_P(SameBytes, InAFilmOfTheRegionAlone) {
+    RenderOptions options = options_of(GetParam(), 2);
+    options.region = Region{29, 17, 58, 90};  // beyond the picture's lower edge
+    const Film whole = render(world(), options).film;
+    options.only_region = true;
+    const Film part = render(world(), options).film;
+    ASSERT_EQ(part.width, 29);
+    ASSERT_EQ(part.height, 57 - 17);
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x) ASSERT_EQ(part.at(x, y), whole.at(x + 29, y + 17)) << x << " " << y;
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, SameBytes,
                          testing::Values(Sampling::Method::none, Sampling::Method::grid, Sampling::Method::povray1,
                                          Sampling::Method::povray2));

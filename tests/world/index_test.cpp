@@ -257,6 +257,45 @@ TEST(Index, AutomaticKeepsAFewObjectsInAListAndManyInTheIndex) {
     EXPECT_TRUE(compiled(scene, IndexKind::automatic).surfaces->indexed());
 }
 
+Texture plain_texture(double filter, double reflection) {
+    Finish finish;
+    finish.reflection.min = finish.reflection.max = Rgb(reflection);
+    return {PlainTexture{{PigmentColor{Rgb(1.0), filter, 0.0}, {}, {}}, finish}};
+}
+
+TEST(Index, AutomaticKeepsManyObjectsInAListForFewRays) {
+    Object sphere;
+    sphere.shape = Sphere{};
+    Light lamp;
+    lamp.color = Rgb(1.0);
+    CompileOptions options;
+    const auto indexed = [&](const Texture& texture, std::size_t lamps, FewRays few) {
+        Scene scene;
+        sphere.texture = std::vector<Texture>{texture};
+        scene.objects.assign(300, sphere);
+        scene.lights.assign(lamps, lamp);
+        options.few_rays = few;
+        return compile(scene, options, no_messages).surfaces->indexed();
+    };
+    const Texture dull = plain_texture(0, 0), mirror = plain_texture(0, 0.5), glass = plain_texture(0.5, 0);
+    EXPECT_FALSE(indexed(dull, 31, {.camera = 2, .further = 6}));  // 2 rays, 62 shadow rays
+    EXPECT_TRUE(indexed(dull, 32, {.camera = 2, .further = 6}));
+    EXPECT_FALSE(indexed(mirror, 3, {.camera = 2, .further = 7}));  // chains of 8 surfaces
+    EXPECT_TRUE(indexed(mirror, 3, {.camera = 2, .further = 8}));
+    EXPECT_FALSE(indexed(glass, 3, {.camera = 2, .further = 2}));  // trees of 8 surfaces
+    EXPECT_TRUE(indexed(glass, 3, {.camera = 2, .further = 3}));
+    EXPECT_FALSE(indexed(glass, 100, {.camera = 64, .further = 6, .shaded = false}));
+    EXPECT_TRUE(indexed(glass, 100, {.camera = 65, .further = 6, .shaded = false}));
+    EXPECT_FALSE(indexed(dull, 1, {}));
+    lamp.area.emplace();
+    EXPECT_TRUE(indexed(dull, 1, {}));
+    options.precision = Precision::fast;  // need not find the same hits
+    EXPECT_TRUE(indexed(dull, 0, {}));
+    options.precision = Precision::exact;
+    options.index = IndexKind::embree;
+    EXPECT_TRUE(indexed(dull, 0, {}));
+}
+
 TEST(Index, AHugeGroundDoesNotBlurTheRest) {
     // A ground of 1e9 and spheres of 1e-3: kept in one index, the padding alone would be a thousand times a sphere.
     Random random(11);
