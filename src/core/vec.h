@@ -35,7 +35,8 @@ inline Vec3 unit(const Vec3& v) { return v / length(v); }
 
 inline double radians(double degrees) { return degrees * (pi / 180.0); }
 
-inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+/// Zero times an infinity or a NaN is a NaN, and so is its sum with anything.
+inline bool is_finite(const Vec3& v) { return 0.0 * v.x + 0.0 * v.y + 0.0 * v.z == 0.0; }
 
 inline double max_component(const Vec3& v) { return std::fmax(v.x, std::fmax(v.y, v.z)); }
 

@@ -65,28 +65,27 @@ Transform parse_group(Reader& reader) {
     return inverse ? group.inverse() : group;
 }
 
+bool is_transform(Word w) {
+    return w == Word::translate || w == Word::rotate || w == Word::scale || w == Word::matrix || w == Word::transform;
+}
+
+/// What follows the word.
+Transform parse_transform(Reader& reader, Word w) {
+    if (w == Word::translate) return Transform::translate(reader.parse_vector());
+    if (w == Word::rotate) return Transform::rotate(reader.parse_vector(), reader.options().rotation);
+    if (w == Word::scale) return parse_scale(reader);
+    if (w == Word::matrix) return parse_matrix(reader);
+    const Transform* declared = reader.accept_declared<Transform>();
+    return declared ? *declared : parse_group(reader);
+}
+
 }  // namespace
 
 std::optional<Transform> accept_transform(Reader& reader) {
-    const Token& next = reader.peek();
-    if (next.kind != Token::Kind::word) return std::nullopt;
-    const Span place = next.span;
-    Transform t;
-    if (reader.accept(Word::translate)) {
-        t = Transform::translate(reader.parse_vector());
-    } else if (reader.accept(Word::rotate)) {
-        t = Transform::rotate(reader.parse_vector(), reader.options().rotation);
-    } else if (reader.accept(Word::scale)) {
-        t = parse_scale(reader);
-    } else if (reader.accept(Word::matrix)) {
-        t = parse_matrix(reader);
-    } else if (reader.accept(Word::transform)) {
-        const Transform* declared = reader.accept_declared<Transform>();
-        t = declared ? *declared : parse_group(reader);
-    } else {
-        return std::nullopt;
-    }
-    require_finite(reader, place, t);
+    if (!is_transform(reader.peek().word)) return std::nullopt;
+    const Token word = reader.take();
+    std::optional<Transform> t = parse_transform(reader, word.word);
+    require_finite(reader, word.span, *t);
     return t;
 }
 

@@ -82,7 +82,7 @@ void Reader::begin_block(std::string_view name) {
     if (!token.is('{')) fail(token.span, fmt::format("Missing {{ after '{}', {} found instead", name, describe(token)));
     state_->enter(token.span);
     take();
-    state_->blocks.emplace_back(name);
+    state_->blocks.push_back(name);
 }
 
 void Reader::end_block() {

@@ -56,7 +56,8 @@ public:
     /// "Missing { ..." style texts as POV-Ray words them otherwise.
     void expect(char symbol);
 
-    // --- blocks: begin takes '{' (its word was just taken), end takes '}'; used for error texts and the nesting limit
+    // --- blocks: begin takes '{' (its word was just taken), end takes '}'; used for error texts and the nesting limit. `name` is a literal
+    // or a word's text, which last.
     void begin_block(std::string_view name);
     void end_block();
     /// True if the next token is '}' (not taken).

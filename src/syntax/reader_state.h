@@ -110,7 +110,7 @@ struct Reader::State : Reader::Cursor {
 
     bool names_only = false;
 
-    std::vector<std::string> blocks;
+    std::vector<std::string_view> blocks;  ///< names of those that are open
     int depth = 0;
 
     NameTable<Value> globals;

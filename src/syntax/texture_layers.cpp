@@ -116,11 +116,11 @@ bool accept_layer_part(Reader& reader, std::optional<TextureLayers>& layers) {
     if (next.is(Word::pigment)) {
         Pigment& pigment = edit_top(reader, layers_or_default(reader, layers)).pigment;
         reader.take();
-        pigment = parse_pigment(reader, pigment);
+        pigment = parse_pigment(reader, std::move(pigment));
     } else if (next.is(Word::finish)) {
         Finish& finish = edit_top(reader, layers_or_default(reader, layers)).finish;
         reader.take();
-        finish = parse_finish(reader, finish);
+        finish = parse_finish(reader, std::move(finish));
     } else if (next.is(Word::normal)) {
         edit_top(reader, layers_or_default(reader, layers));
         reader.take();
