@@ -31,6 +31,11 @@ constexpr auto classes = make_classes();
 
 CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 
+const char* skip_space(const char* at, const char* end) {
+    while (at != end && class_of(*at) == blank) ++at;
+    return at;
+}
+
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Above 9 for anything but a digit.
@@ -88,6 +93,43 @@ double literal_value(const char* begin, const char* end) {
     return value;
 }
 
+// The fast path of `scan_plain_value`. Each returns the end of what it read, or null if that is not plain.
+
+/// A sign and a literal; digits only, so that everything unusual takes the common way.
+const char* scan_plain_literal(const char* at, const char* end, double& number) {
+    const bool negative = at != end && *at == '-';
+    if (negative) ++at;
+    const char* after = scan_short_decimal(at, end, number);
+    if (after == nullptr) {
+        if (at == end || (!is_digit(*at) && *at != '.')) return nullptr;
+        const auto result = std::from_chars(at, end, number);
+        if (result.ec != std::errc{}) return nullptr;
+        after = result.ptr;
+    }
+    if (negative) number = -number;
+    return after != end && (class_of(*after) == letter || *after == '.') ? nullptr : after;
+}
+
+/// What follows '<': two components or more, at most as many as `v` holds, and '>'.
+const char* scan_plain_vector(const char* at, const char* end, std::span<double> v, std::size_t& size) {
+    for (size = 0; size < v.size();) {
+        at = scan_plain_literal(skip_space(at, end), end, v[size++]);
+        if (at == nullptr) return nullptr;
+        at = skip_space(at, end);
+        if (at == end) return nullptr;
+        if (*at == '>') return size < 2 ? nullptr : at + 1;
+        if (*at++ != ',') return nullptr;
+    }
+    return nullptr;
+}
+
+/// True if what follows `at` is neither an operator nor anything that has to be looked at more closely.
+bool ends_expression(const char* at, const char* end, bool condition) {
+    at = skip_space(at, end);
+    if (at == end) return false;
+    return class_of(*at) >= digit || *at == ',' || *at == '}' || *at == '{' || *at == ';' || (*at == '<' && !condition);
+}
+
 }  // namespace
 
 Lexer::Lexer(const Sources& sources, std::uint32_t file, std::uint32_t begin, std::uint32_t end, const NearChoice* near_choice)
@@ -132,7 +174,7 @@ void Lexer::next(Token& token) {
 /// Moves to the next byte of a token; true if a directive comment was met on the way and is now `token`.
 bool Lexer::skip_blanks(Token& token) {
     for (;;) {
-        at_ = skip_space(at_);
+        at_ = skip_space(at_, end_);
         if (end_ - at_ < 2 || *at_ != '/') return false;
         if (at_[1] == '/') {
             if (scan_line_comment(token)) return true;
@@ -217,64 +259,19 @@ void Lexer::scan_symbol(Token& token) {
 }
 
 std::size_t Lexer::scan_plain_value(std::span<double> v, bool condition) {
-    const char* at = skip_space(at_);
+    const char* at = skip_space(at_, end_);
     std::size_t size = 1;
-    if (at != end_ && *at == '<') {
-        size = scan_plain_vector(++at, v);
-        if (size < 2) return 0;
-    } else if (!scan_plain_literal(at, v[0])) {
-        return 0;
-    }
-    if (!ends_expression(at, condition)) return 0;
+    if (at != end_ && *at == '<')
+        at = scan_plain_vector(at + 1, end_, v, size);
+    else
+        at = scan_plain_literal(at, end_, v[0]);
+    if (at == nullptr || !ends_expression(at, end_, condition)) return 0;
     at_ = at;
     return size;
 }
 
-/// The components after '<', and the '>': their number, or 0 if there are more than `v` holds or anything else is between them.
-std::size_t Lexer::scan_plain_vector(const char*& at, std::span<double> v) const {
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        at = skip_space(at);
-        if (!scan_plain_literal(at, v[i])) return 0;
-        at = skip_space(at);
-        if (at == end_ || (*at != ',' && *at != '>')) return 0;
-        if (*at++ == '>') return i + 1;
-    }
-    return 0;
-}
-
-/// A sign and a literal; digits only, so that everything unusual takes the common way.
-bool Lexer::scan_plain_literal(const char*& at, double& number) const {
-    const bool negative = at != end_ && *at == '-';
-    const char* const begin = at + (negative ? 1 : 0);
-    at = scan_short_decimal(begin, end_, number);
-    if (at == nullptr) {
-        if (begin == end_ || (!is_digit(*begin) && *begin != '.')) return false;
-        const auto result = std::from_chars(begin, end_, number);
-        if (result.ec != std::errc{}) return false;
-        at = result.ptr;
-    }
-    if (negative) number = -number;
-    return at == end_ || (class_of(*at) != letter && *at != '.');
-}
-
-/// True if what follows `at` is neither an operator nor anything that has to be looked at more closely.
-bool Lexer::ends_expression(const char* at, bool condition) const {
-    at = skip_space(at);
-    if (at == end_) return false;
-    return class_of(*at) >= digit || *at == ',' || *at == '}' || *at == '{' || *at == ';' || (*at == '<' && !condition);
-}
-
-const char* Lexer::skip_space(const char* at) const {
-    while (at != end_ && class_of(*at) == blank) ++at;
-    return at;
-}
-
 void Lexer::fail(const char* begin, const char* end, std::string_view text) const {
     throw SceneError(sources_->describe(span(begin, end), "Parse Error", text));
-}
-
-Span Lexer::span(const char* begin, const char* end) const {
-    return {file_, static_cast<std::uint32_t>(begin - text_), static_cast<std::uint32_t>(end - text_)};
 }
 
 }  // namespace rt

@@ -39,12 +39,10 @@ private:
     void scan_string(Token& token);
     void scan_name(Token& token);
     void scan_symbol(Token& token);
-    std::size_t scan_plain_vector(const char*& at, std::span<double> v) const;
-    bool scan_plain_literal(const char*& at, double& number) const;
-    bool ends_expression(const char* at, bool condition) const;
-    const char* skip_space(const char* at) const;
     [[noreturn]] void fail(const char* begin, const char* end, std::string_view text) const;
-    Span span(const char* begin, const char* end) const;
+    Span span(const char* begin, const char* end) const {
+        return {file_, static_cast<std::uint32_t>(begin - text_), static_cast<std::uint32_t>(end - text_)};
+    }
 
     const Sources* sources_;
     const NearChoice* near_choice_;
