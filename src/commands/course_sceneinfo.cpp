@@ -66,6 +66,8 @@ std::string sceneinfo_text(const Scene& scene) {
         text += fmt::format("\nLight[{}]:\n- Location: {}\n- Color: {}\n", i, vector_text(scene.lights[i].location),
                             vector_text(scene.lights[i].color));
     text += fmt::format("\n---\n\n{} object(s)\n", scene.objects.size());
+    constexpr std::size_t bytes_an_object = 256;  // most take less
+    text.reserve(text.size() + bytes_an_object * scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         fmt::format_to(std::back_inserter(text), "\nObject[{}]:\n- Type: {}\n{}", i, type_text(object),

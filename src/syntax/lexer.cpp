@@ -270,6 +270,13 @@ std::size_t Lexer::scan_plain_value(std::span<double> v, bool condition) {
     return size;
 }
 
+bool Lexer::scan_comma() {
+    const char* const at = skip_space(at_, end_);
+    if (at == end_ || *at != ',') return false;
+    at_ = at + 1;
+    return true;
+}
+
 void Lexer::fail(const char* begin, const char* end, std::string_view text) const {
     throw SceneError(sources_->describe(span(begin, end), "Parse Error", text));
 }

@@ -21,17 +21,27 @@ constexpr std::size_t least = 10;
 
 constexpr std::size_t most = 1000;
 
-/// What is left of the calling thread's stack (of the main thread's the limit that `ulimit -s` sets), without the thread-local memory that
-/// lies at its end. Zero if it cannot be found out.
-std::size_t stack_bytes() {
+/// The calling thread's stack (of the main thread's the limit that `ulimit -s` sets), without the thread-local memory that lies at its end.
+struct Stack {
+    std::uintptr_t end = 0;
+    std::size_t bytes = 0;  ///< zero if it cannot be found out
+};
+
+Stack find_stack() {
     pthread_attr_t attributes;
-    if (pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
+    if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
     void* lowest = nullptr;
     std::size_t bytes = 0;
     pthread_attr_getstack(&attributes, &lowest, &bytes);
     pthread_attr_destroy(&attributes);
-    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)), end = reinterpret_cast<std::uintptr_t>(lowest);
-    return here > end ? std::min<std::size_t>(here - end, bytes) : 0;
+    return {reinterpret_cast<std::uintptr_t>(lowest), bytes};
+}
+
+/// What is left of it.
+std::size_t stack_bytes() {
+    thread_local const Stack stack = find_stack();  // once: for the main thread it means to read a list of all mapped files
+    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+    return here > stack.end ? std::min<std::size_t>(here - stack.end, stack.bytes) : 0;
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ public:
     Vec2 parse_vector2();
     Number parse_condition();  ///< any size; comparisons and choices need no parentheses: what POV-Ray reads where it expects a colour
     std::string parse_string();
-    void accept_comma() { accept(','); }  ///< commas between parameters are optional
+    void accept_comma();  ///< commas between parameters are optional
 
     // --- names
     /// The declared value of the identifier that comes next if it holds a T (the token is taken), else null.

@@ -87,8 +87,11 @@ struct Reader::State : Reader::Cursor {
     void accept_semicolon();
     std::optional<Deprecation> parse_deprecation();
 
-    /// Fast path of plain literals (reader_values.cpp): the size of the number that was read, 0 if nothing was.
+    // --- fast paths (reader_values.cpp)
+    /// Plain literals: the size of the number that was read, 0 if nothing was.
     std::size_t scan_plain(std::span<double> v, bool condition = false);
+    /// Takes from `begin` to where the lexer is now as if it were one token that is no word.
+    void step_over(std::uint32_t begin);
 
     // --- nesting
     void enter(const Span& place);

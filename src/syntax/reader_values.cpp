@@ -81,6 +81,14 @@ Number Reader::parse_condition() {
     return n;
 }
 
+void Reader::accept_comma() {
+    Lexer& lexer = state_->frames.back().lexer;
+    if (cursor_.has_ahead || !lexer.scan_comma())
+        accept(',');
+    else
+        state_->step_over(lexer.position() - 1);
+}
+
 std::string Reader::parse_string() { return Expression(*state_).string(); }
 
 /// Scans from the token that was looked at, if any: that is possible where it stands just before the lexer and began a literal.
@@ -99,11 +107,16 @@ std::size_t Reader::State::scan_plain(std::span<double> v, bool condition) {
         lexer.seek(position);
         return 0;
     }
+    step_over(begin);
+    return size;
+}
+
+void Reader::State::step_over(std::uint32_t begin) {
+    const Lexer& lexer = frames.back().lexer;
     has_ahead = false;
     last = {lexer.file(), begin, lexer.position()};
     last_word = Word::none;
     anything_read = true;
-    return size;
 }
 
 }  // namespace rt
