@@ -1,5 +1,5 @@
 // sceneinfo: what a scene says, as the course prints it.
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
 #include <iterator>
 
@@ -12,7 +12,7 @@ namespace {
 /// The lines that describe a shape's own data.
 struct ShapeLines {
     std::string operator()(const Sphere& s) const {
-        return fmt::format("- Center: {}\n- Radius: {}\n", vector_text(s.center), number_text(s.radius));
+        return fmt::format(FMT_COMPILE("- Center: {}\n- Radius: {}\n"), vector_text(s.center), number_text(s.radius));
     }
     std::string operator()(const Plane& s) const {
         return fmt::format("- Normal: {}\n- Distance: {}\n", vector_text(s.normal), number_text(s.distance));
@@ -39,7 +39,8 @@ struct ShapeLines {
 private:
     template <typename T>
     static std::string corners(const T& s) {
-        return fmt::format("- Vertex A: {}\n- Vertex B: {}\n- Vertex C: {}\n", vector_text(s.a), vector_text(s.b), vector_text(s.c));
+        return fmt::format(FMT_COMPILE("- Vertex A: {}\n- Vertex B: {}\n- Vertex C: {}\n"), vector_text(s.a), vector_text(s.b),
+                           vector_text(s.c));
     }
 };
 
@@ -70,11 +71,11 @@ std::string sceneinfo_text(const Scene& scene) {
     text.reserve(text.size() + bytes_an_object * scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        fmt::format_to(std::back_inserter(text), "\nObject[{}]:\n- Type: {}\n{}", i, type_text(object),
+        fmt::format_to(std::back_inserter(text), FMT_COMPILE("\nObject[{}]:\n- Type: {}\n{}"), i, type_text(object),
                        std::visit(ShapeLines{}, object.shape));
         const PlainTexture* texture = object.texture ? plain_texture(**object.texture) : nullptr;
         if (!texture) continue;
-        fmt::format_to(std::back_inserter(text), "- Color: {}\n- Material:\n  - Ambient: {}\n  - Diffuse: {}\n",
+        fmt::format_to(std::back_inserter(text), FMT_COMPILE("- Color: {}\n- Material:\n  - Ambient: {}\n  - Diffuse: {}\n"),
                        vector_text(plain_color(texture->pigment)), number_text(texture->finish.ambient.r),
                        number_text(texture->finish.diffuse));
     }
