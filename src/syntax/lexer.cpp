@@ -270,6 +270,8 @@ std::size_t Lexer::scan_plain_value(std::span<double> v, bool condition) {
     return size;
 }
 
+bool Lexer::at_expression_end(bool condition) const { return ends_expression(at_, end_, condition); }
+
 bool Lexer::scan_comma() {
     const char* const at = skip_space(at_, end_);
     if (at == end_ || *at != ',') return false;

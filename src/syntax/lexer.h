@@ -27,7 +27,9 @@ public:
     /// and nothing after it could continue the expression ('<' does so in a condition only). The number of components; 0: nothing was read.
     std::size_t scan_plain_value(std::span<double> v, bool condition);
 
-    /// Likewise takes a comma if only blanks are before it.
+    /// Whether nothing that comes next could continue an expression that ended here.
+    bool at_expression_end(bool condition) const;
+    /// Takes a comma if only blanks are before it.
     bool scan_comma();
 
     std::uint32_t position() const { return static_cast<std::uint32_t>(at_ - text_); }

@@ -97,9 +97,15 @@ std::size_t Reader::State::scan_plain(std::span<double> v, bool condition) {
     const std::uint32_t position = lexer.position();
     std::uint32_t begin = position;
     if (has_ahead) {
-        const bool literal = ahead.kind == Token::Kind::number || ahead.is('<') || ahead.is('-');
-        if (!literal || ahead.span.file != lexer.file() || ahead.span.end != position) return 0;
+        const bool number = ahead.kind == Token::Kind::number;
+        if (!(number || ahead.is('<') || ahead.is('-')) || ahead.span.file != lexer.file() || ahead.span.end != position) return 0;
         begin = ahead.span.begin;
+        if (number) {
+            if (!std::isfinite(ahead.number) || !lexer.at_expression_end(condition)) return 0;
+            v[0] = ahead.number;
+            step_over(begin);
+            return 1;
+        }
         lexer.seek(begin);
     }
     const std::size_t size = lexer.scan_plain_value(v, condition);
