@@ -2,6 +2,7 @@
 #include <fmt/compile.h>
 
 #include <iterator>
+#include <utility>
 
 #include "commands/course_text.h"
 
@@ -56,6 +57,14 @@ Rgb plain_color(const Pigment& pigment) {
     return plain_color(std::get<CheckerPigment>(pigment.content).cells[0]);
 }
 
+std::string texture_text(const std::vector<Texture>& layers) {
+    const PlainTexture* const texture = plain_texture(layers);
+    if (!texture) return "";
+    return fmt::format(FMT_COMPILE("- Color: {}\n- Material:\n  - Ambient: {}\n  - Diffuse: {}\n"),
+                       vector_text(plain_color(texture->pigment)), number_text(texture->finish.ambient.r),
+                       number_text(texture->finish.diffuse));
+}
+
 }  // namespace
 
 std::string sceneinfo_text(const Scene& scene) {
@@ -69,15 +78,15 @@ std::string sceneinfo_text(const Scene& scene) {
     text += fmt::format("\n---\n\n{} object(s)\n", scene.objects.size());
     constexpr std::size_t bytes_an_object = 256;  // most take less
     text.reserve(text.size() + bytes_an_object * scene.objects.size());
+    const void* described = nullptr;  // objects in a row share a texture
+    std::string texture;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         fmt::format_to(std::back_inserter(text), FMT_COMPILE("\nObject[{}]:\n- Type: {}\n{}"), i, type_text(object),
                        std::visit(ShapeLines{}, object.shape));
-        const PlainTexture* texture = object.texture ? plain_texture(**object.texture) : nullptr;
-        if (!texture) continue;
-        fmt::format_to(std::back_inserter(text), FMT_COMPILE("- Color: {}\n- Material:\n  - Ambient: {}\n  - Diffuse: {}\n"),
-                       vector_text(plain_color(texture->pigment)), number_text(texture->finish.ambient.r),
-                       number_text(texture->finish.diffuse));
+        if (!object.texture) continue;
+        if (std::exchange(described, object.texture->identity()) != object.texture->identity()) texture = texture_text(**object.texture);
+        text += texture;
     }
     return text;
 }
