@@ -286,7 +286,7 @@ FAULTS = {
         "a pixel has one sample",
         [
             (SAMPLING, "switch ([[task.sampling.method]]) {", "Sampling::Method::none"),
-            (PIXEL_RAYS, "n = [[options.sampling.method == Sampling::Method::grid]] ?", "false"),
+            (PIXEL_RAYS, "return [[sampling.method == Sampling::Method::grid]] ?", "false"),
         ],
     ),
     "black": (
