@@ -1,5 +1,7 @@
 // The statements of a file, and what is decided when it ends.
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
@@ -22,12 +24,23 @@ void count_texture(Reader& reader, const Span& place, const TextureLayers& layer
     if (reader.is_first_use(layers)) reader.count_scene_nodes(place, tree_size(*layers).nodes - 1);
 }
 
-/// Gives an object the texture of the one before it if the two are equal: many files repeat one texture in every object. What patterns and
-/// layers add up to is counted for each, so those stay as they are.
+bool same_bits(const Rgb& a, const Rgb& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Equal, and zeros have the same signs where a texture's numbers are printed.
+bool prints_the_same(const Texture& a, const Texture& b) {
+    if (!(a == b)) return false;
+    const auto &p = std::get<PlainTexture>(a.content), &q = std::get<PlainTexture>(b.content);
+    return same_bits(std::get<PigmentColor>(p.pigment.content).rgb, std::get<PigmentColor>(q.pigment.content).rgb) &&
+           same_bits(p.finish.ambient, q.finish.ambient) && std::signbit(p.finish.diffuse) == std::signbit(q.finish.diffuse);
+}
+
+/// Gives an object the texture of the one before it if the two are the same: many files repeat one texture in every object. What patterns
+/// and layers add up to is counted for each, so those stay as they are.
 void share_texture(const std::vector<Object>& placed, TextureLayers& layers) {
     if (placed.empty() || layers->size() > 1 || has_any_pattern(layers)) return;
     const std::optional<TextureLayers>& last = placed.back().texture;
-    if (last && last->identity() != layers.identity() && *last == layers) layers = *last;
+    if (!last || (*last)->size() > 1 || has_any_pattern(*last) || last->identity() == layers.identity()) return;
+    if (prints_the_same((*last)->front(), layers->front())) layers = *last;
 }
 
 /// Makes room for as many objects as the rest of the file would hold at the rate so far: what moves when the list grows has to be paid

@@ -77,7 +77,9 @@ TEST(ObjectTextures, AreSharedWhereTheyAreEqualAndPlain) {
     EXPECT_TRUE(shared(red, "finish { phong 1 } pigment { rgb x }"));
     EXPECT_FALSE(shared(red, "pigment { rgb <1, 0, 0> } finish { phong 0.5 }"));
     EXPECT_FALSE(shared(red, "pigment { rgb <1, 0, 0.001> } finish { phong 1 }"));
+    EXPECT_FALSE(shared("pigment { rgb <1, 0, 0> }", "pigment { rgb <1, -0, 0> }")) << "sceneinfo prints the sign";
     EXPECT_FALSE(shared("pigment { checker }", "pigment { checker }"));
+    EXPECT_FALSE(shared("pigment { checker }", "pigment { rgb 1 }"));
     EXPECT_FALSE(shared("texture { " + red + " } texture { " + red + " }", "texture { " + red + " } texture { " + red + " }"));
 }
 
