@@ -5,7 +5,6 @@
 #include <sched.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/pidfd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 
@@ -17,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "grading/child_process.h"
@@ -45,7 +45,9 @@ public:
         // Outer folders come before those in them, since text that continues another sorts after it.
         for (const auto& [path, sight] : sights_) mount(path, sight);
         for (const auto& [name, target] : links_) {
-            if (!is_there(name)) say({"--symlink", target, name});
+            if (is_there(name)) continue;
+            lead_to(fs::path(name).parent_path());
+            say({"--symlink", target, name});
         }
         for (const auto& [path, sight] : sights_) {
             if (sight == Sight::empty && fs::is_directory(path)) say({"--remount-ro", path});
@@ -115,7 +117,15 @@ private:
         return in_system || sight_around(link).value_or(Sight::empty) != Sight::empty;
     }
 
+    /// Folders that lead somewhere; bubblewrap's own would be for root alone.
+    void lead_to(const fs::path& path) {
+        if (path == path.root_path() || !ways_.insert(path).second) return;
+        lead_to(path.parent_path());
+        say({"--perms", "0755", "--dir", path});
+    }
+
     void mount(const std::string& path, Sight sight) {
+        lead_to(fs::path(path).parent_path());
         if (sight == Sight::write)
             say({"--bind", path, path});
         else if (sight == Sight::read && !is_in_hidden(path))
@@ -130,6 +140,7 @@ private:
     RoomPlan plan_;
     std::map<std::string, Sight> sights_;
     std::map<std::string, std::string> links_;
+    std::set<fs::path> ways_;
 };
 
 /// Becomes bubblewrap, with the three standard descriptors and those of the plan.
@@ -170,7 +181,7 @@ Room::Room(const std::string& bubblewrap, const ContainedRun& run, uid_t user) {
     }
     const std::size_t at = told.find(key);
     if (said.find(sign) != std::string::npos && at != std::string::npos) {
-        first_ = Descriptor(pidfd_open(std::atoi(told.c_str() + at + key.size()), 0));
+        first_ = process_descriptor(std::atoi(told.c_str() + at + key.size()));
     }
     if (!first_) {
         kill(bubblewrap_, SIGKILL);
@@ -207,6 +218,6 @@ bool Room::is_inhabited() const {
     return false;
 }
 
-void Room::end() const { pidfd_send_signal(first_.get(), SIGKILL, nullptr, 0); }
+void Room::end() const { end_process(first_); }
 
 }  // namespace rt

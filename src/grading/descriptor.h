@@ -2,6 +2,8 @@
 #pragma once
 
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -39,6 +41,11 @@ public:
 private:
     int number_ = -1;
 };
+
+/// A descriptor that means a process, whatever becomes of its number; readable when the process has ended. None if it is not there.
+/// (Debian 12's <sys/pidfd.h> cannot be linked from C++.)
+inline Descriptor process_descriptor(pid_t process) { return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process, 0))); }
+inline void end_process(const Descriptor& process) { syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0); }
 
 struct Pipe {
     Descriptor read, write;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -136,7 +135,7 @@ private:
     /// Until the program has ended or must be ended.
     void watch() {
         constexpr double between_looks = 0.25;  // at the folder, in seconds
-        const Descriptor program(pidfd_open(program_, 0));
+        const Descriptor program = process_descriptor(program_);
         if (!program) throw_errno("watching the program (Linux 5.3 is needed)");
         pollfd events[] = {{program.get(), POLLIN, 0}, {output_.get(), POLLIN, 0}, {keeping_.grader, 0, 0}};
         for (double next_look = between_looks; !exceeded_;) {
