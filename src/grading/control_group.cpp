@@ -75,22 +75,27 @@ void write_limits(int folder, const Limits& limits) {
 }
 
 ControlGroup::ControlGroup(const Containment& containment, const std::string& name, const Limits& limits) : name_(name) {
-    std::vector<std::string> parents;
-    for (const std::string& parent : {containment.memory_group, containment.pids_group}) {
-        if (!parent.empty() && (parents.empty() || parents[0] != parent)) parents.push_back(parent);
+    try {
+        if (!containment.memory_group.empty()) add(containment.memory_group, limits);
+        if (!containment.pids_group.empty() && containment.pids_group != containment.memory_group) add(containment.pids_group, limits);
+    } catch (...) {
+        remove();
+        throw;
     }
-    for (const std::string& path : parents) {
-        Descriptor parent(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (!parent) throw_errno(path);
-        unlinkat(parent.get(), name.c_str(), AT_REMOVEDIR);  // of an earlier process with our number
-        if (mkdirat(parent.get(), name.c_str(), 0755) != 0 && errno != EEXIST) throw_errno(path + "/" + name);
-        Descriptor self(openat(parent.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (!self) throw_errno(path + "/" + name);
-        Descriptor entrance(openat(self.get(), "cgroup.procs", O_WRONLY | O_CLOEXEC));
-        if (!entrance) throw_errno(path + "/" + name + "/cgroup.procs");
-        write_limits(self.get(), limits);
-        folders_.push_back({std::move(parent), std::move(self), std::move(entrance)});
-    }
+}
+
+void ControlGroup::add(const std::string& path, const Limits& limits) {
+    Descriptor parent(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!parent) throw_errno(path);
+    unlinkat(parent.get(), name_.c_str(), AT_REMOVEDIR);  // of an earlier process with our number
+    if (mkdirat(parent.get(), name_.c_str(), 0755) != 0 && errno != EEXIST) throw_errno(path + "/" + name_);
+    Folder& folder = folders_.emplace_back();
+    folder.parent = std::move(parent);
+    folder.self = Descriptor(openat(folder.parent.get(), name_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!folder.self) throw_errno(path + "/" + name_);
+    folder.entrance = Descriptor(openat(folder.self.get(), "cgroup.procs", O_WRONLY | O_CLOEXEC));
+    if (!folder.entrance) throw_errno(path + "/" + name_ + "/cgroup.procs");
+    write_limits(folder.self.get(), limits);
 }
 
 std::vector<int> ControlGroup::entrances() const {

@@ -35,6 +35,8 @@ private:
     struct Folder {
         Descriptor parent, self, entrance;  ///< descriptors: after the keeper has entered a room no path leads here any more
     };
+    void add(const std::string& parent, const Limits& limits);
+
     std::string name_;
     std::vector<Folder> folders_;
 };

@@ -143,7 +143,8 @@ private:
             poll(events, std::size(events), static_cast<int>(std::max(std::ceil(1e3 * wait), 0.0)));
             const bool more = read_some(output_.get(), ending_.output);
             if (!more && errno != EAGAIN) events[1].fd = -1;  // closed by all who had it
-            if (events[0].revents != 0 || events[2].revents != 0) return;
+            if (events[0].revents != 0) return;
+            if (events[2].revents != 0) exceed(Ending::Kind::not_started, "the grader has ended");
             judge_output();
             if (seconds_since(begin_) >= next_look) {
                 judge_folder();

@@ -53,7 +53,7 @@ protected:
 
     Ending run(const ContainedRun& what, const Limits& limits = short_limits()) {
         if (GetParam().root || geteuid() != 0) return run_contained(what, limits, containment_, 3);
-        if (chown(place_.folder.c_str(), somebody, somebody) != 0) throw std::runtime_error("chown");
+        if (chown(what.folder.c_str(), somebody, somebody) != 0 && errno != ENOENT) throw std::runtime_error("chown");
         return test::run_as(somebody, what, limits, containment_);
     }
     /// What the hostile program prints of its deed.
@@ -195,7 +195,7 @@ TEST_P(Sandbox, OnlyWhatIsShownCanBeRead) {
     std::ofstream(secret) << "secret";
     EXPECT_EQ(said({"size", place_.expected}), "No data available\n");
     for (const std::string& path : {secret, std::string("/etc/shadow"), std::string("/root"), std::string("/home"), std::string("/sys"),
-                                    std::string("/proc/1/environ"), std::string("/proc/1/root/etc/shadow"), std::string(PROJECT_ROOT)}) {
+                                    std::string("/proc/1/root/etc/shadow"), std::string(PROJECT_ROOT)}) {
         EXPECT_THAT(said({"read", path}), AnyOf("No such file or directory\n", "Permission denied\n")) << path;
     }
     // A hidden folder is empty by whatever way one comes to it, and may hold the run's own.
@@ -205,9 +205,8 @@ TEST_P(Sandbox, OnlyWhatIsShownCanBeRead) {
     run_there.hidden = {place_.suite};
     run_there.folder = run_there.working_folder = place_.suite + "/run";
     std::filesystem::create_directory(run_there.folder);
-    EXPECT_EQ(
-        run(run_there).output,
-        fmt::format("{0}:\nrun\n\n{1}:\nrun\ncat: scene.pov: No such file or directory\nmine\n", place_.suite, link).replace(0, 0, ""));
+    EXPECT_EQ(run(run_there).output,
+              fmt::format("{0}:\nrun\n\n{1}:\nrun\ncat: scene.pov: No such file or directory\nmine\n", link, place_.suite));
 }
 
 TEST_P(Sandbox, TheNetworkIsNotThere) {
@@ -236,6 +235,7 @@ TEST_P(Sandbox, NothingOfOursLeaks) {
     EXPECT_EQ(ending.output,
               GetParam().root ? "0\nleads\nNoNewPrivs:\t1\nCapEff:\t0000000000000000\nCapBnd:\t0000000000000000\n" : ending.output);
     if (has_room()) {
+        EXPECT_THAT(run(place_.shell("cat /proc/*/environ")).output, testing::Not(HasSubstr("secret")));
         EXPECT_EQ(run(place_.shell("ls /proc | grep -c '^[0-9]'")).output, "5\n");  // bubblewrap's two, the shell, ls and grep
     }
     close(open_file);
