@@ -38,7 +38,7 @@ public:
 
     RoomPlan plan(const ContainedRun& run) {
         say({"--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--die-with-parent", "--cap-drop", "ALL"});
-        system();
+        show_system();
         for (const std::string& path : run.readable) show(path, Sight::read);
         for (const std::string& path : run.hidden) show(path, Sight::empty);
         show(run.folder, Sight::write);
@@ -60,7 +60,7 @@ private:
     void say(std::initializer_list<std::string> words) { plan_.words.insert(plan_.words.end(), words); }
 
     /// What programs need to start: the system's programs and libraries, and of its settings none that tell of this machine.
-    void system() {
+    void show_system() {
         say({"--ro-bind", "/usr", "/usr"});
         for (const char* name : system_folders) {
             std::error_code error;
@@ -69,7 +69,7 @@ private:
             else
                 say({"--ro-bind-try", name, name});
         }
-        for (const char* name : {"ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime"}) {
+        for (const char* name : {"ld.so.cache", "alternatives", "localtime"}) {
             const std::string path = fmt::format("/etc/{}", name);
             say({"--ro-bind-try", path, path});
         }
@@ -110,8 +110,11 @@ private:
 
     bool is_in_hidden(const fs::path& path) const { return sight_around(path) == Sight::empty; }
 
-    /// A link that lies in what is shown need not be made.
+    /// A link need not be made in what is shown, nor beyond another link.
     bool is_there(const fs::path& link) const {
+        for (fs::path outer = link.parent_path(); outer != outer.root_path(); outer = outer.parent_path()) {
+            if (links_.contains(outer)) return true;
+        }
         const std::string top = fmt::format("/{}", link.relative_path().begin()->string());
         const bool in_system = top == "/usr" || std::ranges::find(system_folders, top) != system_folders.end();
         return in_system || sight_around(link).value_or(Sight::empty) != Sight::empty;

@@ -44,13 +44,18 @@ std::string kind_of(mode_t mode) {
 }  // namespace
 
 void give_folder(const std::string& folder, uid_t user, gid_t group) {
-    const Descriptor top(open(folder.c_str(), to_folder));
-    if (!top || fchown(top.get(), user, group) != 0) throw_errno(folder);
-    const bool all = walk(top.get(), 1, [&](int in, const char* name, const struct stat& status) {
+    const auto give = [&](int in, const char* name, const struct stat& status) {
+        if (geteuid() != 0 && status.st_uid != geteuid()) return true;  // not ours to give
         const bool second_name = !S_ISDIR(status.st_mode) && status.st_nlink > 1;
-        return second_name || fchownat(in, name, user, group, AT_SYMLINK_NOFOLLOW) == 0;
-    });
-    if (!all) throw_errno("a file in " + folder);
+        if (S_ISDIR(status.st_mode) && (status.st_mode & S_IRWXU) != S_IRWXU && fchmodat(in, name, status.st_mode | S_IRWXU, 0) != 0)
+            return false;
+        return second_name || status.st_uid == user || fchownat(in, name, user, group, AT_SYMLINK_NOFOLLOW) == 0;
+    };
+    struct stat status {};
+    if (lstat(folder.c_str(), &status) != 0 || !give(AT_FDCWD, folder.c_str(), status)) throw_errno(folder);
+    const Descriptor top(open(folder.c_str(), to_folder));
+    if (!top) throw_errno(folder);
+    if (!walk(top.get(), 1, give)) throw_errno("a file in " + folder);
 }
 
 std::uint64_t folder_use(int folder, std::uint64_t enough) {

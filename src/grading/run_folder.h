@@ -9,8 +9,9 @@
 
 namespace rt {
 
-/// Makes `user` the owner of the folder (absolute path) and what is in it, down to 64 folders deep. Links are not followed, and files that
-/// have a second name somewhere are left alone. Throws std::system_error if the folder itself cannot be given.
+/// Makes `user` the owner of the folder (absolute path) and what is in it, down to 64 folders deep, and lets its owner enter and change all
+/// folders in it. Links are not followed; files with a second name somewhere are left alone, and so are those of others unless we are root.
+/// Throws std::system_error for the first thing that cannot be given.
 void give_folder(const std::string& folder, uid_t user, gid_t group);
 
 /// What all in the folder takes on the disk, in bytes, entries counted as a block each; stops counting beyond `enough`.

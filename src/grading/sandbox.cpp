@@ -101,25 +101,24 @@ std::optional<Ending> in_keeper(Keeping keeping) {
 
 }  // namespace
 
-Ending run_contained(const ContainedRun& given, const Limits& limits, const Containment& containment, int slot) {
+Ending run_contained(const ContainedRun& run, const Limits& limits, const Containment& containment, int slot) {
     Ending ending;
     try {
-        ContainedRun run = given;
         if (run.command.empty()) throw std::runtime_error("there is no program to run");
-        run.folder = std::filesystem::canonical(given.folder);
+        const std::string folder = std::filesystem::canonical(run.folder);
         ControlGroup group(containment, group_name(slot), limits);
         std::optional<LentUser> user;
         std::optional<uid_t> number;
         if (containment.own_user) {
             user.emplace(slot);
             number = user->number();
-            give_folder(run.folder, *number, *number);
+            give_folder(folder, *number, *number);
         }
         const std::optional<Ending> told = in_keeper({run, limits, containment, group, number});
         if (!told && number) end_processes_of(*number);
         ending = told.value_or(Ending{});
         if (!told) ending.reason = "the process that watched the program was ended from outside";
-        if (number) give_folder(run.folder, geteuid(), getegid());
+        give_folder(folder, geteuid(), getegid());
     } catch (const std::exception& error) {
         ending.kind = Ending::Kind::not_started;
         ending.reason = error.what();

@@ -21,6 +21,8 @@ BREACHES = {
     "<thread> has no place": ("src/trace/tracer.cpp", "#include <thread>\n"),
     "<glm/vec3.hpp> has no place": ("src/geometry/a.h", "#include <glm/vec3.hpp>\n"),
     "only main ends the program": ("src/syntax/a.cpp", "void f() {\n    std::exit(1);\n}\n"),
+    "src/commands/a.cpp:2: only the sandbox starts processes": ("src/commands/a.cpp", 'void f() {\n    std::system("ls");\n}\n'),
+    "src/grading/sandbox.cpp:2: only the sandbox starts processes": ("src/grading/sandbox.cpp", "void f() {\n    g(fork());\n}\n"),
     "only commands print": ("src/syntax/a.cpp", 'void f() {\n    fmt::print("x");\n}\n'),
     "401 lines, at most 400": ("tests/core/a.h", "\n" * 401),
     "61 lines, at most 60": ("src/main.cpp", "\n" * 61),

@@ -82,9 +82,17 @@ TEST_F(RunFolder, GivingChangesTheOwnerOfWhatIsInItAlone) {
     give_folder(place_.folder, 61000, 61000);
     for (const char* name : {"", "a", "a/b", "a/b/file", "link", "folder"}) EXPECT_EQ(owner(in(name)), 61000u) << name;
     for (const std::string& path : {place_.suite, place_.expected, place_.suite + "/scene.pov"}) EXPECT_EQ(owner(path), 0u) << path;
-    EXPECT_THROW(give_folder(in("link"), 61000, 61000), std::system_error);
+    EXPECT_THROW(give_folder(in("folder"), 61000, 61000), std::system_error);
+    EXPECT_THROW(give_folder(in("absent"), 61000, 61000), std::system_error);
     give_folder(place_.folder, 0, 0);
     EXPECT_EQ(owner(in("a/b/file")), 0u);
+}
+
+TEST_F(RunFolder, ClosedFoldersAreOpened) {
+    fs::create_directories(in("a/b/c"));
+    for (const char* name : {"a/b", "a", ""}) ASSERT_EQ(chmod(in(name).c_str(), 0), 0);
+    give_folder(place_.folder, geteuid(), getegid());
+    for (const char* name : {"", "a", "a/b"}) EXPECT_EQ(fs::status(in(name)).permissions(), fs::perms::owner_all) << name;
 }
 
 TEST_F(RunFolder, WhatAllTakesIsCounted) {
