@@ -1,0 +1,136 @@
+#include "grading/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+
+#include "grading/difference.h"
+#include "grading/neighbourhood.h"
+#include "grading/result_names.h"
+
+namespace rt {
+
+namespace {
+
+constexpr std::size_t shown_output = 16384;  ///< as the course's graders keep
+
+std::string signal_text(int signal) {
+    const char* name = sigabbrev_np(signal);
+    const char* meaning = strsignal(signal);
+    return name ? fmt::format("ended by SIG{} ({})", name, meaning) : fmt::format("ended by signal {}", signal);
+}
+
+/// What the ending says; `passed` if it says nothing against the program.
+Result of_ending(const TestCase& test, const Ending& ending) {
+    Result result;
+    result.test = test.name, result.kind = test.kind, result.required = test.required, result.weight = test.weight;
+    result.status = ending.status, result.output = ending.output.substr(0, shown_output);
+    result.left_processes = ending.left_processes;
+    result.wall_seconds = ending.wall_seconds, result.cpu_seconds = ending.cpu_seconds;
+    result.peak_memory_bytes = ending.peak_memory_bytes;
+    const auto ended = [&](Outcome outcome, std::string reason) { result.outcome = outcome, result.reason = std::move(reason); };
+    switch (ending.kind) {
+        case Ending::Kind::exited:
+            if (ending.status == 0)
+                ended(Outcome::passed, "");
+            else
+                ended(Outcome::non_zero_exit, fmt::format("exit status {}", ending.status));
+            break;
+        case Ending::Kind::signalled:
+            ended(Outcome::signal, signal_text(ending.status));
+            break;
+        case Ending::Kind::time_out:
+            ended(Outcome::time_out, fmt::format("not done within {} s", test.limits.wall_seconds));
+            break;
+        case Ending::Kind::out_of_memory:
+            ended(Outcome::out_of_memory, fmt::format("more than {} MiB of memory", test.limits.memory_bytes >> 20));
+            break;
+        case Ending::Kind::too_much_output:
+            ended(Outcome::too_much_output, fmt::format("printed more than {} KiB", test.limits.output_bytes >> 10));
+            break;
+        case Ending::Kind::not_started:
+            ended(Outcome::not_started, ending.reason);
+            break;
+    }
+    return result;
+}
+
+/// A finding about the answer: counts only where the ending was good.
+void find(Result& result, Outcome outcome, const std::string& reason) {
+    if (result.outcome != Outcome::passed) return;
+    result.outcome = outcome;
+    result.reason = reason;
+}
+
+void compare_pictures(const TestCase& test, const StoredImage& expected, const StoredImage& actual, Result& result) {
+    result.figures = picture_figures(expected, actual, test.fuzz_percent);
+    std::string beyond;
+    for (const Threshold& threshold : test.pass) {
+        const double figure = (*result.figures)[threshold.metric];
+        if (figure <= threshold.at_most) continue;
+        beyond += fmt::format("{}{} {:.6g}, at most {:.6g} allowed", beyond.empty() ? "" : "; ", title_of(threshold.metric), figure,
+                              threshold.at_most);
+    }
+    if (!beyond.empty()) find(result, Outcome::wrong_answer, beyond);
+    if (result.outcome != Outcome::passed) result.region = largest_region(expected, actual, test.fuzz_percent);
+    if (result.outcome == Outcome::passed || result.outcome == Outcome::wrong_answer)
+        result.credit = test.curve.points.empty() ? (result.outcome == Outcome::passed ? 1.0 : 0.0)
+                                                  : credit(test.curve, (*result.figures)[test.curve.metric]);
+}
+
+}  // namespace
+
+PictureFigures picture_figures(const StoredImage& expected, const StoredImage& actual, double fuzz_percent) {
+    const Difference d = compare(expected, actual, {fuzz_percent});
+    PictureFigures figures;
+    figures.pixels = d.pixels, figures.fuzz_percent = fuzz_percent;
+    figures[Metric::differing] = static_cast<double>(d.differing);
+    figures[Metric::differing_1] = static_cast<double>(d.differing_1);
+    figures[Metric::rmse] = d.rmse;
+    figures[Metric::p99] = d.p99;
+    figures[Metric::flip] = d.flip_mean;
+    figures[Metric::neighbourhood] = neighbourhood_difference(expected, actual);
+    return figures;
+}
+
+Result judge_picture(const TestCase& test, const Ending& ending, const Written& written, const StoredImage& expected) {
+    Result result = of_ending(test, ending);
+    const StoredImage& actual = written.image;
+    if (written.state == Written::State::missing)
+        find(result, Outcome::no_output, fmt::format("no {}", test.output));
+    else if (written.state == Written::State::unreadable)
+        find(result, Outcome::unreadable_output, written.reason);
+    else if (actual.width != expected.width || actual.height != expected.height)
+        find(result, Outcome::wrong_size,
+             fmt::format("{} x {} pixels, {} x {} expected", actual.width, actual.height, expected.width, expected.height));
+    else
+        compare_pictures(test, expected, actual, result);
+    return result;
+}
+
+Result judge_text(const TestCase& test, const Ending& ending, std::string_view expected) {
+    Result result = of_ending(test, ending);
+    result.text = first_difference(expected, ending.output, test.tolerance);
+    if (result.text && compared_lines(ending.output).empty())
+        find(result, Outcome::no_output, "nothing printed");
+    else if (const std::optional<TextDifference>& d = result.text; d && d->field == 0)
+        find(result, Outcome::wrong_answer,
+             fmt::format("line {}: {}", d->line, d->actual_line.empty() ? "a line is missing" : "a line too many"));
+    else if (d)
+        find(result, Outcome::wrong_answer,
+             fmt::format("line {}, field {}: '{}', '{}' expected", d->line, d->field, d->actual, d->expected));
+    if (result.outcome == Outcome::passed) result.credit = 1.0;
+    return result;
+}
+
+Result judge_shown(const TestCase& test, const Ending& ending, const Written& written) {
+    Result result = of_ending(test, ending);
+    if (written.state == Written::State::missing) find(result, Outcome::no_output, fmt::format("no {}", test.output));
+    if (written.state == Written::State::unreadable) find(result, Outcome::unreadable_output, written.reason);
+    find(result, Outcome::shown, "");
+    return result;
+}
+
+}  // namespace rt
