@@ -19,6 +19,8 @@ int run_brdf(const Words& words);
 /// [TABLE] FILE...
 int run_brdf_check(const Words& words);
 int run_brdf_plot(const Words& words);
+int run_grade(const Words& words);
+int run_merge(const Words& words);
 int run_help(const Words& words);
 int run_version(const Words& words);
 /// Whether `word` is one of the course's commands.

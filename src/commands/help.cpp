@@ -36,6 +36,15 @@ What a record leaves out is not compared. Give a pixel that looks wrong; a rule
 that differs may show first as the effect of another one.
 
 Exit status: 0 same, 1 different, 4 a record cannot be read.)";
+const char* const grade_usage =
+    "Usage: raytrace grade [OPTION...] SUITE --exe PROGRAM\nRuns every test of a suite with any program, contained, and judges what it "
+    "does.";
+const char* const grade_footer =
+    R"(SUITE: a folder as the course lays it out, or a suite file (help suite). Known
+results are not run again: an interrupted grading goes on where it was.
+Exit status: 0, or 1 if one program is graded and a required test failed.)";
+const char* const merge_usage = "Usage: raytrace merge [OPTION...] DIR...\nJoins the results of a grading's shards: DIR are their outputs.";
+const char* const merge_footer = "Results stand in the order of one run; reports are the same bytes.";
 const char* const brdf_usage =
     "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check [TABLE] FILE...\n       raytrace brdf normalization | "
     "albedo "

@@ -55,6 +55,7 @@ struct Result {
     bool left_processes = false;
 
     // Times: of the last run, for a timed test the median of its runs and how far they are apart.
+    bool alone = false;  ///< nothing of ours ran beside it
     double wall_seconds = 0.0, cpu_seconds = 0.0, spread_seconds = 0.0;
     std::uint64_t peak_memory_bytes = 0;
 };

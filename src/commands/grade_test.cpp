@@ -1,0 +1,160 @@
+#include "commands/grade_test.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "commands/content_hash.h"
+#include "commands/result_json.h"
+#include "commands/text.h"
+#include "commands/write_bytes.h"
+#include "core/source.h"
+#include "grading/judge.h"
+#include "grading/result_names.h"
+#include "syntax/file_text.h"
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* place_prefix = "raytrace-grade-";  ///< behind it the process that grades
+
+/// A program's own folder, as the course's graders lay it out: it runs in "build", the scenes are in "resources" beside it and in it.
+class Place {
+public:
+    Place(const Grading& grading, const Submission& submission, const TestCase& test) {
+        std::string pattern = (fs::temp_directory_path() / fmt::format("{}{}-XXXXXX", place_prefix, getppid())).string();
+        if (!mkdtemp(pattern.data())) throw OutputError(fmt::format("cannot make a folder in '{}'", fs::temp_directory_path().string()));
+        folder_ = pattern;
+        fs::create_directory(folder_ / "build");
+        fs::create_directory_symlink(grading.suite.inputs, folder_ / "resources");
+        fs::create_directory_symlink(grading.suite.inputs, folder_ / "build" / "resources");
+        if (test.kind == TestCase::Kind::shown)
+            fs::copy_file(fs::path(submission.scenes) / test.arguments.at(1), folder_ / "build" / test.arguments.at(1));
+    }
+    ~Place() {
+        std::error_code none;
+        fs::remove_all(folder_, none);
+    }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    std::string folder() const { return folder_.string(); }
+    std::string working_folder() const { return (folder_ / "build").string(); }
+
+private:
+    fs::path folder_;
+};
+
+ContainedRun contained_run(const Grading& grading, const Submission& submission, const TestCase& test, const Place& place) {
+    ContainedRun run;
+    run.command = {submission.program};
+    run.command.insert(run.command.end(), test.arguments.begin(), test.arguments.end());
+    run.folder = place.folder(), run.working_folder = place.working_folder();
+    run.readable = {submission.program, grading.suite.inputs};
+    if (!submission.visible.empty()) run.readable.push_back(submission.visible);
+    run.hidden = {grading.suite.folder, grading.folder};
+    return run;
+}
+
+/// The picture a program left, and its bytes as they were.
+Written take_picture(const Place& place, const TestCase& test, std::string& bytes) {
+    Written written;
+    const TakenFile taken = take_file(place.working_folder(), test.output, test.limits.file_bytes);
+    if (taken.state == TakenFile::State::missing) return written;
+    written.state = Written::State::unreadable;
+    written.reason = taken.reason;
+    if (taken.state == TakenFile::State::refused) return written;
+    try {
+        const std::string path = (fs::path(place.folder()) / fmt::format("taken{}", fs::path(test.output).extension().string())).string();
+        write_bytes(path, taken.bytes);
+        written.image = read_image(path);
+        written.state = Written::State::picture;
+        bytes = taken.bytes;
+    } catch (const OptionError& error) {
+        written.reason = fmt::format("{} is no picture", test.output);
+    }
+    return written;
+}
+
+Result judged(const TestCase& test, const Ending& ending, const Place& place, std::string& picture) {
+    if (test.kind == TestCase::Kind::text) {
+        const std::optional<std::string> expected = read_file_text(test.expected, test.limits.file_bytes);
+        if (!expected) throw OptionError(fmt::format("cannot read '{}'", test.expected));
+        return judge_text(test, ending, *expected);
+    }
+    const Written written = take_picture(place, test, picture);
+    if (test.kind == TestCase::Kind::shown) return judge_shown(test, ending, written);
+    return judge_picture(test, ending, written, read_image(test.expected));
+}
+
+/// The median run of a timed test stands for all of them, unless one fails.
+Result run_once(const Grading& grading, const Submission& submission, const TestCase& test, int slot, std::string& picture) {
+    const Place place(grading, submission, test);
+    const Ending ending = run_contained(contained_run(grading, submission, test, place), test.limits, grading.containment, slot);
+    return judged(test, ending, place, picture);
+}
+
+}  // namespace
+
+std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test) {
+    std::string rule = fmt::format("{}\n{}\n{}\n", program_version(), submission.hash, grading.inputs_hash);
+    rule += fmt::format("{}\n{}\n{}\n{}\n", name_of(kind_names, test.kind), fmt::join(test.arguments, "\n"),
+                        test.expected.empty() ? "" : hash_of_file(test.expected), test.output);
+    rule += fmt::format("{} {} {} {} {}\n", test.limits.wall_seconds, test.limits.memory_bytes, test.limits.output_bytes,
+                        test.limits.file_bytes, test.limits.processes);
+    rule += fmt::format("{} {} {} {}\n", test.fuzz_percent, test.tolerance, test.timed, test.repeats);
+    for (const Threshold& threshold : test.pass) rule += fmt::format("{} {}\n", name_of(metric_names, threshold.metric), threshold.at_most);
+    rule += fmt::format("{}", name_of(metric_names, test.curve.metric));
+    for (const auto& [figure, share] : test.curve.points) rule += fmt::format(" {} {}", figure, share);
+    return hash_of(rule);
+}
+
+bool has_scene(const Submission& submission, const TestCase& test) {
+    std::error_code none;
+    return !submission.scenes.empty() && fs::is_regular_file(fs::path(submission.scenes) / test.arguments.at(1), none);
+}
+
+void run_test(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot, bool alone) {
+    std::vector<std::pair<Result, std::string>> runs;
+    for (int i = 0; i < std::max(test.repeats, 1); ++i) {
+        std::string picture;
+        Result result = run_once(grading, submission, test, slot, picture);
+        runs.emplace_back(std::move(result), std::move(picture));
+        if (runs.back().first.outcome != Outcome::passed) break;
+    }
+    std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
+        const auto key = [](const Result& r) { return std::pair(r.outcome != Outcome::passed, r.wall_seconds); };
+        return key(a.first) < key(b.first);
+    });
+    const bool failed = runs.back().first.outcome != Outcome::passed;
+    auto& [result, picture] = failed ? runs.back() : runs[(runs.size() - 1) / 2];
+    if (!failed) result.spread_seconds = runs.back().first.wall_seconds - runs.front().first.wall_seconds;
+    result.submission = submission.name, result.alone = alone;
+    store.put(key_of(grading, submission, test), result, picture);
+}
+
+Result result_without_program(const Submission& submission, const TestCase& test) {
+    Result result;
+    result.submission = submission.name, result.test = test.name, result.kind = test.kind;
+    result.required = test.required, result.weight = test.weight;
+    result.outcome = Outcome::not_started, result.reason = submission.problem;
+    return result;
+}
+
+void remove_left_places() {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(error), error)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(place_prefix)) continue;
+        const int process = std::atoi(name.c_str() + std::string_view(place_prefix).size());
+        if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,45 @@
+// One test of one program, from its start to its entry in the store.
+#pragma once
+
+#include <string>
+
+#include "commands/grade_store.h"
+#include "grading/suite.h"
+
+namespace rt {
+
+/// A program to be graded.
+struct Submission {
+    std::string name;
+    std::string program;  ///< absolute path; empty: there is none
+    std::string visible;  ///< folder that it can read; empty: nothing but itself
+    std::string scenes;   ///< folder of scenes of its author's own, for tests that are only shown; may be empty
+    std::string problem;  ///< why there is no program, e.g. the last lines of its build
+    std::string hash;     ///< of the program
+};
+
+/// What all tests of a grading share.
+struct Grading {
+    Suite suite;
+    Containment containment;
+    std::string inputs_hash;
+    std::string folder;  ///< of the results: never shown to a program
+};
+
+/// Everything that the result of a test depends on, as one name.
+std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test);
+
+/// Runs the program in a folder of its own that is removed afterwards, judges what it did and puts the result into the store. `slot` tells
+/// tests at the same time apart; `alone`: there are none.
+void run_test(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot, bool alone);
+
+/// Whether the author of `submission` has the scene of a test that is only shown.
+bool has_scene(const Submission& submission, const TestCase& test);
+
+/// The result of a test of a submission without a program.
+Result result_without_program(const Submission& submission, const TestCase& test);
+
+/// Removes the folders that gradings which have ended on this machine left behind.
+void remove_left_places();
+
+}  // namespace rt

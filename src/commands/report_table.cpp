@@ -1,0 +1,96 @@
+// Results for a terminal, and all reports as files.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "commands/grade_reports.h"
+#include "commands/values.h"
+#include "film/output_file.h"
+#include "grading/result_names.h"
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string figures_text(const Result& result) {
+    if (!result.figures) return {};
+    const PictureFigures& f = *result.figures;
+    return fmt::format("{:>7.0f} {:>7.0f}  {:.4f}  {:.4f}  {:.4f}  {:.4f}", f[Metric::differing], f[Metric::differing_1], f[Metric::rmse],
+                       f[Metric::p99], f[Metric::flip], f[Metric::neighbourhood]);
+}
+
+std::string line_of(const Result& result, std::size_t width) {
+    const bool good = result.outcome == Outcome::passed || result.outcome == Outcome::shown;
+    std::string text =
+        fmt::format("{} {:<{}} {:>8.3f} s  {:<47}", good ? "ok  " : "FAIL", result.test, width, result.wall_seconds, figures_text(result));
+    if (!good) text += fmt::format("  {}", name_of(outcome_names, result.outcome));
+    if (!result.cause.empty()) text += fmt::format(": {}", result.cause);
+    while (text.ends_with(' ')) text.pop_back();
+    if (!result.reason.empty()) text += fmt::format("\n         {}", printable(result.reason, 200));
+    return text + "\n";
+}
+
+std::string program_table(const std::vector<Result>& results) {
+    std::size_t width = 8;
+    for (const Result& result : results) width = std::max(width, result.test.size());
+    std::string text = fmt::format("     {:<{}} {:>10}  {:>7} {:>7}  {:<6}  {:<6}  {:<6}  {}\n", "test", width, "time", "5 %", "1 %",
+                                   "rmse", "p99", "flip", "3x3");
+    for (const Result& result : results) text += line_of(result, width);
+    const Summary sum = summary_of(results);
+    return text + fmt::format("{} of {} passed, {} of {} required; {:.6g} of {:.6g} points; {:.1f} s\n", sum.passed, sum.tests,
+                              sum.required_passed, sum.required, sum.points, sum.out_of, sum.wall_seconds);
+}
+
+std::string many_table(const std::vector<std::vector<Result>>& groups) {
+    std::size_t width = 10;
+    for (const auto& results : groups) width = std::max(width, results.front().submission.size());
+    std::string text = fmt::format("{:<{}}  {:>9}  {:>9}  {:>15}  {:>9}\n", "submission", width, "passed", "required", "points", "time");
+    for (const auto& results : groups) {
+        const Summary sum = summary_of(results);
+        text += fmt::format("{:<{}}  {:>9}  {:>9}  {:>15}  {:>7.1f} s{}\n", sum.submission, width,
+                            fmt::format("{}/{}", sum.passed, sum.tests), fmt::format("{}/{}", sum.required_passed, sum.required),
+                            fmt::format("{:.6g}/{:.6g}", sum.points, sum.out_of), sum.wall_seconds, sum.complete ? "" : "  not complete");
+    }
+    return text;
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+    OutputFile file(path.string());
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
+/// A submission's name as a file's.
+std::string file_name(std::string name) {
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+}
+
+}  // namespace
+
+std::string table_text(const GradeRecord& record) {
+    const std::vector<std::vector<Result>> groups = by_submission(record.results);
+    if (groups.empty()) return "no tests\n";
+    return groups.size() == 1 ? program_table(groups.front()) : many_table(groups);
+}
+
+void write_reports(const GradeRecord& record, const std::string& folder) {
+    const fs::path place(folder);
+    write_file(place / "results.json", results_text(record));
+    write_file(place / "times.json", times_text(record));
+    write_file(place / "results.csv", csv_text(record));
+    write_file(place / "junit.xml", junit_text(record));
+    const std::vector<std::vector<Result>> groups = by_submission(record.results);
+    if (groups.size() == 1) {
+        write_file(place / "gradescope.json", gradescope_text(groups.front()));
+        return;
+    }
+    fs::create_directories(place / "gradescope");
+    for (const std::vector<Result>& results : groups)
+        write_file(place / "gradescope" / (file_name(results.front().submission) + ".json"), gradescope_text(results));
+}
+
+}  // namespace rt

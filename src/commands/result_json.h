@@ -1,0 +1,21 @@
+// Results to JSON and back.
+#pragma once
+
+#include "commands/json_value.h"
+#include "grading/result.h"
+
+namespace rt {
+
+/// Everything but the times; the same result gives the same text. Members that have nothing to say are left out.
+nlohmann::ordered_json result_json(const Result& result);
+/// {alone, wall, cpu, spread: seconds, peak: bytes}.
+nlohmann::ordered_json times_json(const Result& result);
+
+/// What result_json() wrote. Throws SceneError with the place of what is not as expected.
+Result result_of_json(const JsonValue& value);
+void read_times(const JsonValue& value, Result& result);
+
+/// A JSON text; what is not UTF-8 is replaced. `indent` < 0: one line.
+std::string json_text(const nlohmann::ordered_json& json, int indent);
+
+}  // namespace rt

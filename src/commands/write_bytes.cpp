@@ -1,0 +1,20 @@
+#include "commands/write_bytes.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "core/source.h"
+
+namespace rt {
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) throw OutputError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+}
+
+}  // namespace rt

@@ -1,0 +1,12 @@
+// Files that nobody waits for.
+#pragma once
+
+#include <string>
+
+namespace rt {
+
+/// Writes a file at once and in place, without waiting for the disk. Throws OutputError with path and reason. What a user asked for goes
+/// through OutputFile instead, which appears whole or not at all.
+void write_bytes(const std::string& path, const std::string& bytes);
+
+}  // namespace rt
