@@ -126,8 +126,9 @@ private:
         // Judging itself failed, on what the program left or because the disk is full.
         results_[i] = result_without_program(*tasks_[i].submission, *tasks_[i].test);
         results_[i]->outcome = Outcome::unreadable_output;
-        results_[i]->reason =
-            end.signal ? fmt::format("judging it was ended by signal {}", end.signal) : "it could not be judged, or its result not kept";
+        results_[i]->reason = end.signal            ? fmt::format("judging it was ended by signal {}", end.signal)
+                              : end.problem.empty() ? "its result could not be kept"
+                                                    : "it could not be judged: " + end.problem;
     }
 
     void tell(int parallel) {

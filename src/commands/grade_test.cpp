@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "commands/content_hash.h"
 #include "commands/result_json.h"
@@ -14,6 +15,7 @@
 #include "core/source.h"
 #include "grading/judge.h"
 #include "grading/result_names.h"
+#include "grading/run_folder.h"
 #include "syntax/file_text.h"
 
 namespace rt {
@@ -51,6 +53,18 @@ private:
     fs::path folder_;
 };
 
+/// Where the right answers are: their folders, but where the scenes are in the same one the answers themselves.
+std::vector<std::string> hidden_places(const Suite& suite) {
+    std::set<std::string> places;
+    for (const TestCase& test : suite.tests) {
+        if (test.expected.empty()) continue;
+        const fs::path folder = fs::path(test.expected).parent_path();
+        const bool has_inputs = *fs::path(suite.inputs).lexically_relative(folder).begin() != "..";
+        places.insert(has_inputs ? test.expected : folder.string());
+    }
+    return {places.begin(), places.end()};
+}
+
 ContainedRun contained_run(const Grading& grading, const Submission& submission, const TestCase& test, const Place& place) {
     ContainedRun run;
     run.command = {submission.program};
@@ -58,7 +72,8 @@ ContainedRun contained_run(const Grading& grading, const Submission& submission,
     run.folder = place.folder(), run.working_folder = place.working_folder();
     run.readable = {submission.program, grading.suite.inputs};
     if (!submission.visible.empty()) run.readable.push_back(submission.visible);
-    run.hidden = {grading.suite.folder, grading.folder};
+    run.hidden = hidden_places(grading.suite);
+    run.hidden.push_back(grading.folder);
     return run;
 }
 
@@ -66,16 +81,16 @@ ContainedRun contained_run(const Grading& grading, const Submission& submission,
 Written take_picture(const Place& place, const TestCase& test, std::string& bytes) {
     Written written;
     const TakenFile taken = take_file(place.working_folder(), test.output, test.limits.file_bytes);
-    if (taken.state == TakenFile::State::missing) return written;
+    if (taken.missing) return written;
     written.state = Written::State::unreadable;
-    written.reason = taken.reason;
-    if (taken.state == TakenFile::State::refused) return written;
+    written.reason = taken.problem;
+    if (!taken.bytes) return written;
     try {
         const std::string path = (fs::path(place.folder()) / fmt::format("taken{}", fs::path(test.output).extension().string())).string();
-        write_bytes(path, taken.bytes);
+        write_bytes(path, *taken.bytes);
         written.image = read_image(path);
         written.state = Written::State::picture;
-        bytes = taken.bytes;
+        bytes = *taken.bytes;
     } catch (const OptionError& error) {
         written.reason = fmt::format("{} is no picture", test.output);
     }

@@ -78,8 +78,11 @@ Json result_json(const Result& result) {
 }
 
 Json times_json(const Result& result) {
-    return {
-        {"wall", result.wall_seconds}, {"cpu", result.cpu_seconds}, {"spread", result.spread_seconds}, {"peak", result.peak_memory_bytes}};
+    return {{"alone", result.alone},
+            {"wall", result.wall_seconds},
+            {"cpu", result.cpu_seconds},
+            {"spread", result.spread_seconds},
+            {"peak", result.peak_memory_bytes}};
 }
 
 Result result_of_json(const JsonValue& value) {

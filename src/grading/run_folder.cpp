@@ -68,8 +68,8 @@ std::uint64_t folder_use(int folder, std::uint64_t enough) {
     return sum;
 }
 
-Result take_result(const std::string& folder, const std::string& name, std::uint64_t max_bytes) {
-    const auto bad = [](std::string problem) { return Result{std::nullopt, std::move(problem)}; };
+TakenFile take_file(const std::string& folder, const std::string& name, std::uint64_t max_bytes) {
+    const auto bad = [](std::string problem) { return TakenFile{std::nullopt, false, std::move(problem)}; };
     Descriptor here(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!here) return bad(fmt::format("{}: {}", folder, std::generic_category().message(errno)));
     if (name.empty() || name[0] == '/') return bad(fmt::format("'{}' is no name of a file in the run's folder", name));
@@ -78,7 +78,7 @@ Result take_result(const std::string& folder, const std::string& name, std::uint
     for (const std::filesystem::path& part : std::filesystem::path(name)) {
         if (part == "..") return bad(fmt::format("'{}' leads out of the run's folder", name));
         here = Descriptor(openat(here.get(), part.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
-        if (!here && errno == ENOENT) return bad(fmt::format("there is no {}", name));
+        if (!here && errno == ENOENT) return {std::nullopt, true, fmt::format("there is no {}", name)};
         if (!here || fstat(here.get(), &status) != 0) return bad(fmt::format("{}: {}", name, std::generic_category().message(errno)));
     }
     if (!S_ISREG(status.st_mode)) return bad(fmt::format("{} is {}", name, kind_of(status.st_mode)));
@@ -90,7 +90,7 @@ Result take_result(const std::string& folder, const std::string& name, std::uint
     while (bytes.size() <= max_bytes && read_some(file.get(), bytes)) {
     }
     if (bytes.size() > max_bytes) return bad(too_large);
-    return {std::move(bytes), ""};
+    return {std::move(bytes), false, ""};
 }
 
 }  // namespace rt

@@ -18,12 +18,13 @@ void give_folder(const std::string& folder, uid_t user, gid_t group);
 std::uint64_t folder_use(int folder, std::uint64_t enough);
 
 /// A file that a run should have written: its bytes, or what there is instead.
-struct Result {
+struct TakenFile {
     std::optional<std::string> bytes;
+    bool missing = false;     ///< there is nothing of that name
     std::string problem;  ///< "there is no output.png", "output.png is a symbolic link", ...; empty with `bytes`
 };
 /// Reads `name` (relative, may lie in folders below) if it is a regular file of at most `max_bytes`. Follows no link on the way, and
 /// neither waits for nor touches what is not a regular file.
-Result take_result(const std::string& folder, const std::string& name, std::uint64_t max_bytes);
+TakenFile take_file(const std::string& folder, const std::string& name, std::uint64_t max_bytes);
 
 }  // namespace rt

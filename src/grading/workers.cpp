@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <system_error>
@@ -16,6 +17,7 @@ namespace rt {
 namespace {
 
 constexpr int status_done = 0, status_thrown = 1;
+constexpr std::size_t most_told = 4096;  ///< bytes that a pipe always has room for
 
 /// A job's process, seen from here: the pipe's other end is its own and closes when it ends.
 struct Worker {
@@ -44,22 +46,29 @@ Worker start(std::size_t job, int slot, const std::function<void(std::size_t, in
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(status_thrown);
-    int status = status_done;
+    std::string problem;
     try {
         work(job, slot);
+        _exit(status_done);
+    } catch (const std::exception& error) {
+        problem = error.what();
     } catch (...) {
-        status = status_thrown;
+        problem = "an unknown exception";
     }
-    _exit(status);
+    if (write(ends[1], problem.data(), std::min(problem.size(), most_told)) < 0) problem.clear();
+    _exit(status_thrown);
 }
 
 WorkerEnd wait_for(Worker& worker) {
     int status = 0;
     while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
     }
+    std::string problem(most_told, '\0');
+    const ssize_t told = read(worker.pipe, problem.data(), problem.size());
+    problem.resize(told > 0 ? static_cast<std::size_t>(told) : 0);
     close(worker.pipe);
     worker = {};
-    return {WIFEXITED(status) && WEXITSTATUS(status) == status_done, WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+    return {WIFEXITED(status) && WEXITSTATUS(status) == status_done, WIFSIGNALED(status) ? WTERMSIG(status) : 0, problem};
 }
 
 /// Waits until one of them ends or a fifth of a second has passed. Returns the slots that ended.
