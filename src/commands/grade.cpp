@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "commands/audit.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/content_hash.h"
@@ -34,7 +35,7 @@ struct GradeJob {
     std::string folder = "grade-results";
     int parallel = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
     Shard shard;
-    bool fresh = false, as_is = false, quiet = false;
+    bool fresh = false, as_is = false, quiet = false, audit = false;
 };
 
 constexpr int exit_failed = 1;
@@ -60,6 +61,7 @@ void define(CommandLine& line, GradeJob& job) {
                [&](const std::string& v) { job.shard = shard_of(v); });
     line.flag("--fresh", "run again what is known", [&] { job.fresh = true; });
     line.flag("--as-is", "take a program that lies among sources; build nothing", [&] { job.as_is = true; });
+    line.flag("--audit", "no program: which mistakes the suite cannot notice", [&] { job.audit = true; });
     line.flag("-q,--quiet", "no notes, no progress, no table", [&] { job.quiet = true; });
 }
 
@@ -120,6 +122,13 @@ int exit_status(const GradeRecord& record, bool many) {
     return failed && !many ? exit_failed : 0;
 }
 
+int run_audit(const GradeJob& job, const Suite& suite) {
+    const std::vector<AuditLine> lines = audit(suite);
+    write_report((fs::path(job.folder) / "audit.json").string(), audit_json(suite, lines));
+    if (!job.quiet) write_stdout(audit_text(lines));
+    return 0;
+}
+
 int run(GradeJob job) {
     const MessageSink messages = message_sink(job.quiet);
     Grading grading;
@@ -127,6 +136,7 @@ int run(GradeJob job) {
     keep_only(grading.suite, job.only);
     make_folder(job.folder);
     job.folder = grading.folder = fs::canonical(job.folder).string();
+    if (job.audit) return run_audit(job, grading.suite);
     grading.inputs_hash = hash_of_folder(grading.suite.inputs);
     grading.containment = find_containment();
     const std::vector<std::string> uncontained = holes(grading.containment);

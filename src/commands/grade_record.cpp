@@ -46,7 +46,11 @@ std::string listing(const Json& head, const char* list, const std::vector<Json>&
 std::string results_text(const GradeRecord& record) {
     std::vector<Json> entries;
     for (const Result& result : record.results) entries.push_back(result_json(result));
-    return listing({{"format", results_format}, {"suite", record.suite}, {"holes", record.holes}, {"shard", {record.shard.index + 1, record.shard.of}}}, "results", entries);
+    return listing({{"format", results_format},
+                    {"suite", record.suite},
+                    {"holes", record.holes},
+                    {"shard", {record.shard.index + 1, record.shard.of}}},
+                   "results", entries);
 }
 
 std::string times_text(const GradeRecord& record) {

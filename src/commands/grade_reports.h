@@ -32,6 +32,9 @@ std::string gradescope_text(const std::vector<Result>& results);
 /// For a terminal: one program's tests, or a line for each of many programs.
 std::string table_text(const GradeRecord& record);
 
+/// A file that appears whole or not at all. Throws OutputError.
+void write_report(const std::string& path, const std::string& text);
+
 /// Writes results.json, times.json, results.csv, junit.xml and gradescope.json (of many programs gradescope/NAME.json) into `folder`.
 void write_reports(const GradeRecord& record, const std::string& folder);
 

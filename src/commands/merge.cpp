@@ -24,9 +24,10 @@ std::vector<GradeRecord> in_order(std::vector<GradeRecord> shards) {
     for (std::size_t i = 0; i < std::max(of, shards.size()); ++i) {
         const GradeRecord& shard = shards[std::min(i, shards.size() - 1)];
         if (shard.shard.of != of || shard.suite != shards.front().suite)
-            throw OptionError(fmt::format("merge: parts of two gradings: {}/{} of '{}' and {}/{} of '{}'", shards.front().shard.index + 1, of,
-                                          shards.front().suite, shard.shard.index + 1, shard.shard.of, shard.suite));
-        if (i < shards.size() && shard.shard.index < i) throw OptionError(fmt::format("merge: shard {}/{} is given twice", shard.shard.index + 1, of));
+            throw OptionError(fmt::format("merge: parts of two gradings: {}/{} of '{}' and {}/{} of '{}'", shards.front().shard.index + 1,
+                                          of, shards.front().suite, shard.shard.index + 1, shard.shard.of, shard.suite));
+        if (i < shards.size() && shard.shard.index < i)
+            throw OptionError(fmt::format("merge: shard {}/{} is given twice", shard.shard.index + 1, of));
         if (i >= shards.size() || shard.shard.index > i) throw OptionError(fmt::format("merge: shard {}/{} is missing", i + 1, of));
     }
     return shards;

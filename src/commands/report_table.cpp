@@ -57,12 +57,6 @@ std::string many_table(const std::vector<std::vector<Result>>& groups) {
     return text;
 }
 
-void write_file(const fs::path& path, const std::string& text) {
-    OutputFile file(path.string());
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 /// A submission's name as a file's.
 std::string file_name(std::string name) {
     std::replace(name.begin(), name.end(), '/', '_');
@@ -77,20 +71,26 @@ std::string table_text(const GradeRecord& record) {
     return groups.size() == 1 ? program_table(groups.front()) : many_table(groups);
 }
 
+void write_report(const std::string& path, const std::string& text) {
+    OutputFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
 void write_reports(const GradeRecord& record, const std::string& folder) {
     const fs::path place(folder);
-    write_file(place / "results.json", results_text(record));
-    write_file(place / "times.json", times_text(record));
-    write_file(place / "results.csv", csv_text(record));
-    write_file(place / "junit.xml", junit_text(record));
+    write_report((place / "results.json").string(), results_text(record));
+    write_report((place / "times.json").string(), times_text(record));
+    write_report((place / "results.csv").string(), csv_text(record));
+    write_report((place / "junit.xml").string(), junit_text(record));
     const std::vector<std::vector<Result>> groups = by_submission(record.results);
     if (groups.size() == 1) {
-        write_file(place / "gradescope.json", gradescope_text(groups.front()));
+        write_report((place / "gradescope.json").string(), gradescope_text(groups.front()));
         return;
     }
     fs::create_directories(place / "gradescope");
     for (const std::vector<Result>& results : groups)
-        write_file(place / "gradescope" / (file_name(results.front().submission) + ".json"), gradescope_text(results));
+        write_report((place / "gradescope" / (file_name(results.front().submission) + ".json")).string(), gradescope_text(results));
 }
 
 }  // namespace rt
