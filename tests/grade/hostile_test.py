@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Programs that are wrong, slow, broken or hostile, graded by a suite of the course's kind: each outcome, nothing outside touched, nothing left.
+
+usage: tests/grade/hostile_test.py PROGRAM
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import harness  # noqa: E402
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+MARK = f"graded-{os.getpid()}"  # in the command line of every process that must not stay
+
+PICTURE = 'case "$1" in render) ;; *) exec "$real" "$@" ;; esac\n"$real" "$@" || exit\n'
+
+
+def picture_then(command):
+    """Right texts; pictures through ImageMagick."""
+    return PICTURE + command
+
+
+# name: (script, outcome of the texts, outcome of the pictures)
+PROGRAMS = {
+    "right": ('exec "$real" "$@"', "passed", "passed"),
+    "mirrored": (picture_then("/usr/bin/convert output.png -flop output.png"), "passed", "wrong answer"),
+    "gamma": (picture_then("/usr/bin/convert output.png -gamma 2.2 output.png"), "passed", "wrong answer"),
+    "shadowless": ('exec "$real" $(echo "$@" | sed s/still/shadowless/)', None, "wrong answer"),
+    "slow": ("sleep 60", "time-out", "time-out"),
+    "spinning": ("while :; do :; done", "time-out", "time-out"),
+    "crash": ("kill -SEGV $$", "signal", "signal"),
+    "crash_after": ('"$real" "$@"; kill -ABRT $$', "signal", "signal"),
+    "fork_bomb": (f"bomb() {{ bomb | bomb & }}; bomb; sleep 60 # {MARK}", "time-out", "time-out"),
+    "endless_output": (f"exec yes {MARK}", "too much output", "too much output"),
+    "memory": ("head -c 20G /dev/zero | tail", "out of memory", "out of memory"),
+    "wrong_size": (picture_then("/usr/bin/convert output.png -resize 50% output.png"), "passed", "wrong size"),
+    "one_digit": ('"$real" "$@" | sed "s/\\(.*[0-9][.][0-9]*\\)[0-4]/\\19/"', "wrong answer", "passed"),
+    "exit_status": ('"$real" "$@"; exit 3', "non-zero exit", "non-zero exit"),
+    "nothing": ("exit 0", "no output", "no output"),
+    "no_picture": (picture_then("echo no > output.png"), "passed", "unreadable output"),
+    "link": (picture_then("rm output.png; ln -s /etc/passwd output.png"), "passed", "unreadable output"),
+    "pipe": (picture_then("rm output.png; mkfifo output.png"), "passed", "unreadable output"),
+}
+
+
+class Hostile(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = pathlib.Path(tempfile.mkdtemp(prefix="grade_test_"))
+        cls.suite = harness.make_suite(PROGRAM, cls.place, timeout=4, memory=512)
+        cls.folder = cls.suite.parent
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.place)
+
+    def graded(self, name, script, *words):
+        path = harness.make_program(PROGRAM, self.place / "programs" / name, script)
+        run, results = harness.grade(PROGRAM, self.suite, self.place / "out" / name, "--exe", path, *words)
+        self.assertEqual(len(results), 2 if words else 4, run.stderr)
+        self.assertNothingLeft()
+        return run, {test: result for (_, test), result in results.items()}
+
+    def assertNothingLeft(self):
+        """No process that carries the mark, and no folder of a run."""
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                self.assertNotIn(MARK.encode(), (process / "cmdline").read_bytes(), process)
+            except (FileNotFoundError, ProcessLookupError):
+                pass
+
+    def test_every_outcome(self):
+        for name, (script, texts, pictures) in PROGRAMS.items():
+            with self.subTest(name):
+                words = ["--only", "ray|plain"] if "time-out" in (texts, pictures) else []
+                run, results = self.graded(name, script, *words)
+                for test, result in results.items():
+                    expected = texts if result["kind"] == "text" else pictures
+                    if expected:
+                        self.assertEqual(result["outcome"], expected, f"{test}: {result.get('reason')}")
+                self.assertEqual(run.returncode, 0 if name == "right" else 1, run.stderr)
+                for report in ("results.json", "times.json", "results.csv", "junit.xml", "gradescope.json"):
+                    self.assertTrue((self.place / "out" / name / report).exists())
+
+    def test_writes_nowhere_else(self):
+        before = {path for path in pathlib.Path("/tmp").iterdir()}
+        script = f'''for place in /tmp /dev/shm /var/tmp {self.folder} {self.folder}/inputs ../resources "$(dirname "$0")" {self.place} $HOME / /etc /root
+do echo {MARK} > "$place/{MARK}"; done 2>/dev/null
+exec "$real" "$@"'''
+        _, results = self.graded("writer", script)
+        self.assertEqual({result["outcome"] for result in results.values()}, {"passed"})
+        for place in ("/tmp", "/dev/shm", "/var/tmp", self.folder, self.folder / "inputs", self.place, self.place / "programs" / "writer", "/", "/etc", "/root"):
+            self.assertFalse((pathlib.Path(place) / MARK).exists(), place)
+        left = {path for path in pathlib.Path("/tmp").iterdir()} - before
+        self.assertFalse([path for path in left if path.name.startswith("raytrace-grade-" )], left)
+
+    def test_cannot_read_the_answers(self):
+        part = self.folder / "answers"
+        script = f'cp {part}/plain.png output.png; cat {part}/*.out; find {self.folder} -name "*.out"; ls {part}'
+        _, results = self.graded("reader", script)
+        for test, result in results.items():
+            self.assertIn(result["outcome"], ("no output", "wrong answer", "non-zero exit"), test)
+            self.assertNotIn("Pixel: [", result.get("output", ""))
+            self.assertNotIn("figures", result)
+
+    def test_children_that_stay_end_with_the_run(self):
+        script = f'''sh -c "trap '' TERM HUP INT; while :; do sleep 1; done # {MARK}" &
+setsid sh -c "trap '' TERM; sleep 1000 # {MARK}" >/dev/null 2>&1 </dev/null &
+exec "$real" "$@"'''
+        _, results = self.graded("parent", script)
+        for test, result in results.items():
+            self.assertEqual(result["outcome"], "passed", test)
+            self.assertTrue(result.get("left_processes"), test)
+
+    def test_without_bubblewrap_it_says_so(self):
+        path = harness.make_program(PROGRAM, self.place / "programs" / "plain", 'exec "$real" "$@"')
+        empty = self.place / "empty"
+        empty.mkdir()
+        run = subprocess.run([PROGRAM, "grade", str(self.suite), "--exe", str(path), "-o", str(self.place / "out" / "plain")],
+                             capture_output=True, text=True, env={**os.environ, "PATH": str(empty)})
+        self.assertIn("bubblewrap", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
