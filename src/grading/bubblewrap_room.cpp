@@ -69,7 +69,8 @@ private:
             else
                 say({"--ro-bind-try", name, name});
         }
-        for (const char* name : {"ld.so.cache", "alternatives", "localtime"}) {
+        lead_to("/etc");
+        for (const char* name : {"ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime"}) {
             const std::string path = fmt::format("/etc/{}", name);
             say({"--ro-bind-try", path, path});
         }

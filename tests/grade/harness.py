@@ -7,7 +7,7 @@ import subprocess
 
 SCENE = """
 camera { location <0, 0, 14> up <0, 1, 0> right <1.333333, 0, 0> look_at <0, 0, 0> }
-light_source { <-60, 90, 80> color rgb <1.2, 1.2, 1.2> SHADOWLESS }
+light_source { <-60, 90, 80> color rgb <1.2, 1.2, 1.2> }
 sphere { <-2, 0.5, 0>, 2.2 pigment { color rgb <0.9, 0.2, 0.3> } finish { ambient 0.15 diffuse 0.6 specular 0.4 roughness 0.05 } }
 sphere { <1.4, 2.2, 3>, 1.1 pigment { color rgb <0.2, 0.7, 0.4> } finish { ambient 0.15 diffuse 0.6 } }
 box { <1, -3, -2>, <4, -0.5, 1> pigment { color rgb <0.3, 0.4, 0.9> } finish { ambient 0.2 diffuse 0.6 reflection 0.3 } rotate <0, 25, 0> }
@@ -28,8 +28,7 @@ def make_suite(program, place, **limits):
     suite = pathlib.Path(place) / "suite"
     (suite / "answers").mkdir(parents=True)
     (suite / "inputs").mkdir()
-    (suite / "inputs" / "still.pov").write_text(SCENE.replace("SHADOWLESS", ""))
-    (suite / "inputs" / "shadowless.pov").write_text(SCENE.replace("SHADOWLESS", "shadowless"))
+    (suite / "inputs" / "still.pov").write_text(SCENE)
     work = suite / "build"
     work.mkdir()
     os.symlink(suite / "inputs", suite / "resources")

@@ -30,7 +30,6 @@ PROGRAMS = {
     "right": ('exec "$real" "$@"', "passed", "passed"),
     "mirrored": (picture_then("/usr/bin/convert output.png -flop output.png"), "passed", "wrong answer"),
     "gamma": (picture_then("/usr/bin/convert output.png -gamma 2.2 output.png"), "passed", "wrong answer"),
-    "shadowless": ('exec "$real" $(echo "$@" | sed s/still/shadowless/)', None, "wrong answer"),
     "slow": ("sleep 60", "time-out", "time-out"),
     "spinning": ("while :; do :; done", "time-out", "time-out"),
     "crash": ("kill -SEGV $$", "signal", "signal"),

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 class RunFolder : public testing::Test {
 protected:
     std::string problem(const std::string& name, std::uint64_t most = 100) {
-        const Result result = take_result(place_.folder, name, most);
+        const TakenFile result = take_file(place_.folder, name, most);
         EXPECT_NE(result.bytes.has_value(), !result.problem.empty());
         return result.problem;
     }
@@ -35,8 +35,8 @@ TEST_F(RunFolder, AFileIsItsBytes) {
     std::ofstream(in("output.png")) << bytes;
     fs::create_directory(in("pictures"));
     std::ofstream(in("pictures/empty.png"));
-    EXPECT_EQ(take_result(place_.folder, "output.png", 4).bytes, bytes);
-    EXPECT_EQ(take_result(place_.folder, "./pictures/empty.png", 4).bytes, "");
+    EXPECT_EQ(take_file(place_.folder, "output.png", 4).bytes, bytes);
+    EXPECT_EQ(take_file(place_.folder, "./pictures/empty.png", 4).bytes, "");
     EXPECT_EQ(problem("output.png", 3), "output.png has more than 3 bytes");
 }
 

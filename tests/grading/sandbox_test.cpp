@@ -224,7 +224,7 @@ TEST_P(Sandbox, OnlyWhatIsShownCanBeRead) {
 TEST_P(Sandbox, AFolderThatTheProgramClosesCanBeReadAndRemoved) {
     const Ending ending = run(place_.shell("mkdir -p a/b && echo 1 >a/b/output.png && chmod 0 a/b a ."));
     EXPECT_EQ(ending.kind, Ending::Kind::exited) << described(ending);
-    EXPECT_EQ(take_result(place_.folder, "a/b/output.png", 10).bytes, "1\n");
+    EXPECT_EQ(take_file(place_.folder, "a/b/output.png", 10).bytes, "1\n");
     EXPECT_GT(std::filesystem::remove_all(place_.folder), 0u);
 }
 
