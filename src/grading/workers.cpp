@@ -1,16 +1,16 @@
 #include "grading/workers.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
-#include <system_error>
 #include <vector>
+
+#include "grading/child_process.h"
+#include "grading/descriptor.h"
 
 namespace rt {
 
@@ -19,54 +19,44 @@ namespace {
 constexpr int status_done = 0, status_thrown = 1;
 constexpr std::size_t most_told = 4096;  ///< bytes that a pipe always has room for
 
-/// A job's process, seen from here: the pipe's other end is its own and closes when it ends.
+/// A job's process. It holds the other end of the pipe, which closes when it ends.
 struct Worker {
     pid_t process = 0;  ///< 0: the slot is free
-    int pipe = -1;
+    Descriptor pipe;
     std::size_t job = 0;
 };
 
-[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
-
-Worker start(std::size_t job, int slot, const std::function<void(std::size_t, int)>& work) {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) fail("pipe");
-    const pid_t parent = getpid();
-    const pid_t process = fork();
-    if (process < 0) {
-        close(ends[0]), close(ends[1]);
-        fail("fork");
-    }
-    if (process > 0) {
-        close(ends[1]);
-        return {process, ends[0], job};
-    }
-    close(ends[0]);
+/// In the job's own process: its exit status.
+int carry_out(const std::function<void()>& work, pid_t parent, const Descriptor& pipe) {
     setpgid(0, 0);  // a terminal's Ctrl-C is for the one that knows what to do
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(status_thrown);
-    std::string problem;
+    if (getppid() != parent) return status_thrown;
+    std::string problem = "an unknown exception";
     try {
-        work(job, slot);
-        _exit(status_done);
+        work();
+        return status_done;
     } catch (const std::exception& error) {
         problem = error.what();
     } catch (...) {
-        problem = "an unknown exception";
     }
-    if (write(ends[1], problem.data(), std::min(problem.size(), most_told)) < 0) problem.clear();
-    _exit(status_thrown);
+    write_all(pipe.get(), problem.data(), std::min(problem.size(), most_told));
+    return status_thrown;
+}
+
+Worker start(std::size_t job, int slot, const std::function<void(std::size_t, int)>& work) {
+    Pipe pipe = make_pipe();
+    const pid_t parent = getpid();
+    const pid_t process = start_child([&] { return carry_out([&] { work(job, slot); }, parent, pipe.write); });
+    return {process, std::move(pipe.read), job};
 }
 
 WorkerEnd wait_for(Worker& worker) {
     int status = 0;
     while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
     }
-    std::string problem(most_told, '\0');
-    const ssize_t told = read(worker.pipe, problem.data(), problem.size());
-    problem.resize(told > 0 ? static_cast<std::size_t>(told) : 0);
-    close(worker.pipe);
+    std::string problem;
+    read_some(worker.pipe.get(), problem);
     worker = {};
     return {WIFEXITED(status) && WEXITSTATUS(status) == status_done, WIFSIGNALED(status) ? WTERMSIG(status) : 0, problem};
 }
@@ -74,7 +64,7 @@ WorkerEnd wait_for(Worker& worker) {
 /// Waits until one of them ends or a fifth of a second has passed. Returns the slots that ended.
 std::vector<std::size_t> ended(const std::vector<Worker>& workers) {
     std::vector<pollfd> polls;
-    for (const Worker& worker : workers) polls.push_back({worker.pipe, 0, 0});
+    for (const Worker& worker : workers) polls.push_back({worker.pipe.get(), 0, 0});
     constexpr int milliseconds = 200;
     std::vector<std::size_t> slots;
     if (poll(polls.data(), polls.size(), milliseconds) <= 0) return slots;
