@@ -70,7 +70,7 @@ private:
                 say({"--ro-bind-try", name, name});
         }
         lead_to("/etc");
-        for (const char* name : {"ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime"}) {
+        for (const char* name : {"ld.so.cache", "alternatives", "localtime"}) {
             const std::string path = fmt::format("/etc/{}", name);
             say({"--ro-bind-try", path, path});
         }
