@@ -12,8 +12,8 @@ namespace rt {
 
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
-    "Commands: requires compare explain brdf help version; topics of help: povray\n"
-    "scene shading edges sampling output course pixel exit. POV-Ray's too: +W320";
+    "Commands: requires compare explain grade merge brdf help version; topics of\n"
+    "help: povray scene shading edges sampling output course suite pixel exit";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -173,6 +173,28 @@ A picture appears whole or not at all. Ctrl-C (SIGTERM, SIGHUP) finishes the
 tiles in hand and leaves NAME.partial.png; a second one ends it all at once.
 )";
 
+constexpr const char* suite_topic =
+    R"(What raytrace grade reads: a folder with tests.json, NAME.args and NAME.out or
+NAME.png, or a folder of such folders, as the course lays its tests out, with
+the scenes in "inputs" or "resources"; or a JSON file, its paths beside it:
+
+  {"format": "raytrace suite 1", "name": "Winter", "inputs": "scenes",
+   "defaults": {"timeout": 30, "memory": 1024},
+   "tests": [{"name": "ray", "kind": "text", "expected": "ray.txt",
+              "command": "pixelray ../resources/a.pov 640 480 320 240"},
+             {"name": "glass", "expected": "glass.png", "weight": 2,
+              "command": "render ../resources/glass.pov 640 480"}]}
+
+A test may also have: kind text|picture|shown, output (output.png), required
+(true), weight (1), tolerance of a text's numbers (0), timeout in seconds (60),
+memory and file in MiB (4096, 256), printed in KiB (1024), processes (64),
+timed (run with nothing beside it) and repeats (the median counts), fuzz in
+percent (5), and for pictures
+  pass    [{"metric": "differing", "at_most": 1000}], all of which must hold
+  credit  {"metric": "rmse", "curve": [[0.01, 1], [0.1, 0]]}: partial credit
+Metrics: differing (pixels beyond fuzz) differing_1 (beyond 1 %) rmse p99 flip
+neighbourhood. "defaults" has any of these for all tests.
+)";
 constexpr const char* course_topic =
     R"(Commands of Cal Poly's CSC 473 and its own rules: right-handed, camera vectors
 as written, rotation z y x, Blinn-Phong, round(255 c); silent.
@@ -230,7 +252,7 @@ constexpr const char* exit_topic =
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
     {"povray", povray_topic}, {"scene", scene_topic},   {"shading", ""},        {"edges", edges_topic}, {"sampling", sampling_topic},
-    {"output", output_topic}, {"course", course_topic}, {"pixel", pixel_topic}, {"exit", exit_topic},
+    {"output", output_topic}, {"course", course_topic}, {"pixel", pixel_topic}, {"suite", suite_topic}, {"exit", exit_topic},
 };
 
 }  // namespace

@@ -79,6 +79,18 @@ TEST(Judge, PicturesThatAreNone) {
     EXPECT_EQ(judge_picture(picture_test(), good, small, grey(1)).reason, "1 x 2 pixels, 40 x 40 expected");
 }
 
+TEST(Judge, EqualPicturesHaveFiguresOfNothing) {
+    const PictureFigures same = picture_figures(grey(7), grey(7), 5.0);
+    StoredImage almost = grey(7);
+    almost.values[0] = 8.0f;
+    const PictureFigures other = picture_figures(grey(7), almost, 5.0);
+    EXPECT_EQ(same.pixels, other.pixels);
+    EXPECT_EQ(same.fuzz_percent, other.fuzz_percent);
+    for (const double value : same.values) EXPECT_EQ(value, 0.0);
+    EXPECT_GT(other[Metric::rmse], 0.0);
+    EXPECT_GT(other[Metric::flip], 0.0);
+}
+
 TEST(Judge, EveryThresholdMustHold) {
     TestCase test = picture_test();
     test.pass = {{Metric::rmse, 0.1}, {Metric::flip, 0.9}};
