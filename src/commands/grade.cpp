@@ -48,11 +48,11 @@ Shard shard_of(const std::string& text) {
 }
 
 void define(CommandLine& line, GradeJob& job) {
-    line.values("--exe", "PROGRAM", "a program, or a folder that is built (CMake, else make)",
+    line.values("--exe", "PROGRAM", "a program, or a folder that is built (CMake, make)",
                 [&](const std::string& v) { job.programs.push_back(v); });
     line.value("--submissions", "DIR", "every program and every folder of sources in DIR",
                [&](const std::string& v) { job.submissions = v; });
-    line.value("--inputs", "DIR", "the scenes, for programs ../resources (the suite's own)", [&](const std::string& v) { job.inputs = v; });
+    line.value("--inputs", "DIR", "the scenes; programs see ../resources (the suite's)", [&](const std::string& v) { job.inputs = v; });
     line.value("--only", "REGEX", "tests whose name matches", [&](const std::string& v) { job.only = v; });
     line.value("-o,--output", "DIR", "reports and known results (grade-results)", [&](const std::string& v) { job.folder = v; });
     line.value("-j,--jobs", "N", "tests at a time (all processors)",
