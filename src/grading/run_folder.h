@@ -20,8 +20,8 @@ std::uint64_t folder_use(int folder, std::uint64_t enough);
 /// A file that a run should have written: its bytes, or what there is instead.
 struct TakenFile {
     std::optional<std::string> bytes;
-    bool missing = false;     ///< there is nothing of that name
-    std::string problem;  ///< "there is no output.png", "output.png is a symbolic link", ...; empty with `bytes`
+    bool missing = false;  ///< there is nothing of that name
+    std::string problem;   ///< "there is no output.png", "output.png is a symbolic link", ...; empty with `bytes`
 };
 /// Reads `name` (relative, may lie in folders below) if it is a regular file of at most `max_bytes`. Follows no link on the way, and
 /// neither waits for nor touches what is not a regular file.
