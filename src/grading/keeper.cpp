@@ -97,7 +97,7 @@ public:
         keeping_.group.end_members();
         if (keeping_.user) end_processes_of(*keeping_.user);
         for (int attempt = 0; attempt < patience && has_children(); ++attempt) {
-            end_descendants();
+            end_children();
             poll(nullptr, 0, 1);
         }
     }
@@ -239,13 +239,11 @@ private:
         return ended == 0;
     }
 
-    static void end_descendants() {
-        const std::map<pid_t, pid_t> parent = parents();
-        for (const auto& [process, above] : parent) {
-            pid_t ancestor = above;
-            for (auto at = parent.find(ancestor); ancestor != getpid() && at != parent.end(); at = parent.find(ancestor))
-                ancestor = at->second;
-            if (ancestor == getpid()) kill(process, SIGKILL);
+    /// Children's children become ours when their parents end. Only a child's number is sure to mean what it did when it was read, since we
+    /// have not waited for it.
+    static void end_children() {
+        for (const auto& [process, parent] : parents()) {
+            if (parent == getpid()) kill(process, SIGKILL);
         }
     }
 

@@ -74,8 +74,9 @@ TEST_P(Grader, ItsSignalsDoNotMatterAndStay) {
     };
     sigset_t all, before, after;
     sigfillset(&all);
-    for (const auto& [number, handler] : {std::pair{SIGCHLD, SIG_IGN}, std::pair<int, void (*)(int)>{SIGCHLD, [](int) { waitpid(-1, nullptr, WNOHANG); }},
-                                          std::pair{SIGPIPE, SIG_DFL}, std::pair{SIGPIPE, SIG_IGN}}) {
+    for (const auto& [number, handler] :
+         {std::pair{SIGCHLD, SIG_IGN}, std::pair<int, void (*)(int)>{SIGCHLD, [](int) { waitpid(-1, nullptr, WNOHANG); }},
+          std::pair{SIGPIPE, SIG_DFL}, std::pair{SIGPIPE, SIG_IGN}}) {
         const auto old = signal(number, handler);
         EXPECT_TRUE(ends_well()) << number;
         EXPECT_EQ(signal(number, old), handler) << number;
@@ -119,7 +120,8 @@ TEST(Containment, HolesSayWhatIsNotContained) {
     bare.bubblewrap_problem = "it is not installed";
     const std::vector<std::string> sentences = holes(bare);
     ASSERT_GE(sentences.size(), 5u);
-    EXPECT_EQ(sentences[0], "Without bubblewrap (it is not installed) programs read every file that you may read, expected results among them.");
+    EXPECT_EQ(sentences[0],
+              "Without bubblewrap (it is not installed) programs read every file that you may read, expected results among them.");
     EXPECT_THAT(sentences, testing::Contains(HasSubstr("Memory is limited for each process")));
     for (const std::string& sentence : sentences) EXPECT_TRUE(sentence.ends_with('.')) << sentence;
 }
