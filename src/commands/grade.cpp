@@ -98,7 +98,7 @@ std::vector<Submission> programs_of(const GradeJob& job, const Containment& cont
         submissions.push_back(build(tree, (fs::path(job.folder) / "builds").string(), containment, 0));
         const std::string& problem = submissions.back().problem;
         if (problem.empty()) continue;
-        if (paths.size() == 1) throw OptionError(fmt::format("{}: {}", tree.name, problem));
+        if (paths.size() == 1 && job.submissions.empty()) throw OptionError(fmt::format("{}: {}", tree.name, problem));
         messages(fmt::format("raytrace: {}: {}", tree.name, problem));
     }
     name_apart(submissions);

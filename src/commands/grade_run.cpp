@@ -53,9 +53,10 @@ public:
         progress_.tasks = tasks.size();
     }
 
-    /// What needs no run. Returns the others.
+    /// What needs no run. Returns the others, of those that are the same only the first.
     std::vector<std::size_t> take_known(bool fresh) {
         std::vector<std::size_t> others;
+        std::map<std::string, std::size_t> firsts;
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
             const auto& [submission, test] = tasks_[i];
             if (submission->program.empty())
@@ -66,8 +67,10 @@ public:
             if (results_[i] && results_[i]->outcome == Outcome::time_out && !results_[i]->alone) results_[i].reset();
             if (results_[i])
                 ++progress_.done, ++progress_.taken;
-            else
+            else if (const auto [first, is_new] = firsts.emplace(key_of(grading_, *submission, *test), i); is_new)
                 others.push_back(i), left_.expect(test->name);
+            else
+                followers_[first->second].push_back(i);
         }
         return others;
     }
@@ -93,7 +96,8 @@ public:
         return late;
     }
     void expect_again(const std::vector<std::size_t>& chosen) {
-        for (const std::size_t i : chosen) left_.expect(tasks_[i].test->name), results_[i].reset(), --progress_.done;
+        for (const std::size_t i : chosen)
+            left_.expect(tasks_[i].test->name), results_[i].reset(), progress_.done -= 1 + followers_[i].size();
     }
 
     std::vector<Result> results() {
@@ -120,6 +124,11 @@ private:
 
     void finish(std::size_t i, const WorkerEnd& end) {
         left_.add(tasks_[i].test->name, since(started_[i]));
+        settle(i, end);
+        for (const std::size_t follower : followers_[i]) settle(follower, end);
+    }
+
+    void settle(std::size_t i, const WorkerEnd& end) {
         ++progress_.done;
         if (end.done) results_[i] = from_store(i);
         if (results_[i]) return;
@@ -144,6 +153,7 @@ private:
     const std::function<void(const GradeProgress&)>& report_;
     std::vector<std::optional<Result>> results_;
     std::vector<Clock::time_point> started_;
+    std::map<std::size_t, std::vector<std::size_t>> followers_;  ///< of a task: those with the same program and test
     TimeLeft left_;
     GradeProgress progress_;
     Clock::time_point start_ = Clock::now();
