@@ -181,8 +181,8 @@ private:
         if (of_group > 0) return of_group;
         rusage ours{};
         getrusage(RUSAGE_SELF, &ours);
-        // Between fork and execve the program was as large as we are, and the system counts that.
-        return bytes_of(use_) > bytes_of(ours) ? bytes_of(use_) : 0;
+        // Between fork and execve the program was as large as we are, or a little larger, and the system counts that.
+        return bytes_of(use_) > 2 * bytes_of(ours) ? bytes_of(use_) : 0;
     }
 
     void exceed(Ending::Kind kind, std::string reason) {

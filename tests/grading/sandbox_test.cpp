@@ -169,7 +169,7 @@ TEST_P(Sandbox, MemoryHasABound) {
     EXPECT_THAT(ending.reason, StartsWith("more than 268435456 bytes"));
     const Ending fine = run(place_.deed({"allocate", "0.0625"}));
     EXPECT_EQ(described(fine), "exited 0");
-    const bool is_known = GetParam().groups || fine.peak_memory_bytes != 0;  // else only of programs larger than this one
+    const bool is_known = GetParam().groups || fine.peak_memory_bytes != 0;  // else only of programs much larger than this one
     EXPECT_THAT(fine.peak_memory_bytes, testing::AllOf(testing::Ge(is_known ? 64u << 20 : 0u), testing::Lt(90u << 20)));
 }
 
