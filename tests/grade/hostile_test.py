@@ -45,6 +45,7 @@ PROGRAMS = {
     "link": (picture_then("rm output.png; ln -s /etc/passwd output.png"), "passed", "unreadable output"),
     "pipe": (picture_then("rm output.png; mkfifo output.png"), "passed", "unreadable output"),
 }
+NEED_CONTAINMENT = ("fork_bomb", "memory")  # end otherwise, or not at all, where groups and users cannot be made
 
 
 class Hostile(unittest.TestCase):
@@ -53,6 +54,11 @@ class Hostile(unittest.TestCase):
         cls.place = pathlib.Path(tempfile.mkdtemp(prefix="grade_test_"))
         cls.suite = harness.make_suite(PROGRAM, cls.place, timeout=4, memory=512)
         cls.folder = cls.suite.parent
+        right = harness.make_program(PROGRAM, cls.place / "programs" / "first", 'exec "$real" "$@"')
+        run, _ = harness.grade(PROGRAM, cls.suite, cls.place / "out" / "first", "--exe", right)
+        cls.holes = [line for line in run.stderr.splitlines() if "warning:" in line]
+        if cls.holes:
+            print("this machine cannot contain all, so less is tested:", *cls.holes, sep="\n  ")
 
     @classmethod
     def tearDownClass(cls):
@@ -75,6 +81,8 @@ class Hostile(unittest.TestCase):
 
     def test_every_outcome(self):
         for name, (script, texts, pictures) in PROGRAMS.items():
+            if self.holes and name in NEED_CONTAINMENT:
+                continue
             with self.subTest(name):
                 words = ["--only", "ray|plain"] if "time-out" in (texts, pictures) else []
                 run, results = self.graded(name, script, *words)
@@ -87,6 +95,8 @@ class Hostile(unittest.TestCase):
                     self.assertTrue((self.place / "out" / name / report).exists())
 
     def test_writes_nowhere_else(self):
+        if self.holes:
+            self.skipTest("not contained here")
         before = {path for path in pathlib.Path("/tmp").iterdir()}
         script = f'''for place in /tmp /dev/shm /var/tmp {self.folder} {self.folder}/inputs ../resources "$(dirname "$0")" {self.place} $HOME / /etc /root
 do echo {MARK} > "$place/{MARK}"; done 2>/dev/null
@@ -99,6 +109,8 @@ exec "$real" "$@"'''
         self.assertFalse([path for path in left if path.name.startswith("raytrace-grade-" )], left)
 
     def test_cannot_read_the_answers(self):
+        if self.holes:
+            self.skipTest("not contained here")
         part = self.folder / "answers"
         script = f'cp {part}/plain.png output.png; cat {part}/*.out; find {self.folder} -name "*.out"; ls {part}'
         _, results = self.graded("reader", script)
