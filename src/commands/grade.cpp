@@ -35,7 +35,7 @@ struct GradeJob {
     std::string folder = "grade-results";
     int parallel = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
     Shard shard;
-    bool fresh = false, as_is = false, quiet = false, audit = false;
+    bool fresh = false, as_is = false, quiet = false, audit = false, all_pictures = false;
 };
 
 constexpr int exit_failed = 1;
@@ -62,6 +62,7 @@ void define(CommandLine& line, GradeJob& job) {
     line.flag("--fresh", "run again what is known", [&] { job.fresh = true; });
     line.flag("--as-is", "take a program that lies among sources; build nothing", [&] { job.as_is = true; });
     line.flag("--audit", "no program: which mistakes the suite cannot notice", [&] { job.audit = true; });
+    line.flag("--all-pictures", "pages with every picture, however large", [&] { job.all_pictures = true; });
     line.flag("-q,--quiet", "no notes, no progress, no table", [&] { job.quiet = true; });
 }
 
@@ -146,14 +147,14 @@ int run(GradeJob job) {
     remove_left_places();
     const GradeStore store((fs::path(job.folder) / "known").string());
     const std::vector<GradeTask> tasks = tasks_of(submissions, grading.suite, job.shard);
-    GradeRecord record{grading.suite.name, uncontained, job.shard, {}};
+    GradeRecord record{grading.suite.name, uncontained, job.shard, {}, grading.suite.tests};
     {
         const StopOnSignal signals;
         GradeProgressLine progress(!job.quiet);
         record.results = run_tasks(grading, tasks, store, job.parallel, job.fresh, signals.stop(),
                                    [&](const GradeProgress& state) { progress.update(state); });
     }
-    write_reports(record, job.folder);
+    write_reports(record, job.folder, job.all_pictures);
     if (!job.quiet) write_stdout(table_text(record));
     messages(fmt::format("raytrace: reports are in {}", job.folder));
     const bool many = submissions.size() > 1 || !job.submissions.empty() || job.shard.of > 1;

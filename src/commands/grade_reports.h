@@ -15,12 +15,16 @@ struct GradeRecord {
     std::vector<std::string> holes;  ///< what could not be contained
     Shard shard;
     std::vector<Result> results;
+    std::vector<TestCase> tests{};  ///< what the suite asks, as far as pages show it
 };
 
-/// {format, suite, holes, shard, results}, without times; and the times, one entry for each result.
+/// {format, suite, holes, shard, results}, without times; and the times, one entry for each result, with where its picture is, seen from
+/// `folder`.
 std::string results_text(const GradeRecord& record);
-std::string times_text(const GradeRecord& record);
-/// Reads FOLDER/results.json and FOLDER/times.json. Throws OptionError or SceneError.
+std::string times_text(const GradeRecord& record, const std::string& folder);
+/// {format, suite, tests}: of each test its name, command, expected file, fuzz, tolerance and limits for a pass.
+std::string tests_text(const GradeRecord& record);
+/// Reads results.json, times.json and, if it is there, tests.json of a folder. Throws OptionError or SceneError.
 GradeRecord read_record(const std::string& folder);
 
 /// One line a result: submission, test, kind, required, outcome, credit, weight, every figure, cause, reason, seconds, memory.
@@ -35,7 +39,11 @@ std::string table_text(const GradeRecord& record);
 /// A file that appears whole or not at all. Throws OutputError.
 void write_report(const std::string& path, const std::string& text);
 
-/// Writes results.json, times.json, results.csv, junit.xml and gradescope.json (of many programs gradescope/NAME.json) into `folder`.
-void write_reports(const GradeRecord& record, const std::string& folder);
+/// The name of a program's own files, without their ending.
+std::string report_file_name(const std::string& submission);
+
+/// Writes results.json, times.json, tests.json, results.csv, junit.xml and gradescope.json (of many programs gradescope/NAME.json) into
+/// `folder`, and the pages (grade_pages.h).
+void write_reports(const GradeRecord& record, const std::string& folder, bool all_pictures);
 
 }  // namespace rt

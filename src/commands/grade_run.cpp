@@ -110,10 +110,11 @@ private:
     /// Programs and tests that are the same share an entry; each has its own name.
     std::optional<Result> from_store(std::size_t i) const {
         const auto& [submission, test] = tasks_[i];
-        std::optional<Result> result = store_.find(key_of(grading_, *submission, *test));
+        const std::string key = key_of(grading_, *submission, *test);
+        std::optional<Result> result = store_.find(key);
         if (result)
             result->submission = submission->name, result->test = test->name, result->required = test->required,
-            result->weight = test->weight;
+            result->weight = test->weight, result->picture = store_.picture_path(key);
         return result;
     }
     Result not_run(std::size_t i) const {

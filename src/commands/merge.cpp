@@ -35,7 +35,7 @@ std::vector<GradeRecord> in_order(std::vector<GradeRecord> shards) {
 
 /// Shards hold every N-th test of one list: dealing one card from each in turn gives the list again.
 GradeRecord joined(const std::vector<GradeRecord>& shards) {
-    GradeRecord whole{shards.front().suite, {}, {}, {}};
+    GradeRecord whole{shards.front().suite, {}, {}, {}, shards.front().tests};
     for (const GradeRecord& shard : shards)
         for (const std::string& hole : shard.holes)
             if (std::find(whole.holes.begin(), whole.holes.end(), hole) == whole.holes.end()) whole.holes.push_back(hole);
@@ -49,9 +49,10 @@ GradeRecord joined(const std::vector<GradeRecord>& shards) {
 
 int run_merge(const Words& words) {
     std::string folder = "grade-results";
-    bool quiet = false;
+    bool quiet = false, all_pictures = false;
     CommandLine line(merge_usage, merge_footer);
     line.value("-o,--output", "DIR", "where the reports go (grade-results)", [&](const std::string& v) { folder = v; });
+    line.flag("--all-pictures", "pages with every picture, however large", [&] { all_pictures = true; });
     line.flag("-q,--quiet", "no table", [&] { quiet = true; });
     const Words folders = line.parse(with_two_dashes(words, line));
     if (line.help_asked()) {
@@ -61,12 +62,12 @@ int run_merge(const Words& words) {
     if (folders.empty())
         throw OptionError("merge: expected the output folders of shards, in the order of their numbers; see raytrace merge --help");
     std::vector<GradeRecord> shards;
-    for (const std::string& path : folders) shards.push_back(read_record(path));
+    for (const std::string& path : folders) shards.push_back(read_record(fs::absolute(path).string()));
     const GradeRecord whole = joined(in_order(std::move(shards)));
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
-    write_reports(whole, folder);
+    write_reports(whole, fs::canonical(folder).string(), all_pictures);
     if (!quiet) write_stdout(table_text(whole));
     return 0;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "commands/content_hash.h"
+#include "commands/grade_pages.h"
 #include "commands/grade_reports.h"
 #include "commands/values.h"
 #include "film/output_file.h"
@@ -57,12 +59,6 @@ std::string many_table(const std::vector<std::vector<Result>>& groups) {
     return text;
 }
 
-/// A submission's name as a file's.
-std::string file_name(std::string name) {
-    std::replace(name.begin(), name.end(), '/', '_');
-    return name;
-}
-
 }  // namespace
 
 std::string table_text(const GradeRecord& record) {
@@ -77,20 +73,27 @@ void write_report(const std::string& path, const std::string& text) {
     file.commit();
 }
 
-void write_reports(const GradeRecord& record, const std::string& folder) {
+std::string report_file_name(const std::string& submission) {
+    constexpr std::size_t longest = 180;  // a file's name may have 255 bytes, with its ending and what is put behind while it is written
+    std::string name = submission.size() <= longest ? submission : submission.substr(0, longest - 33) + "-" + hash_of(submission);
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+}
+
+void write_reports(const GradeRecord& record, const std::string& folder, bool all_pictures) {
     const fs::path place(folder);
     write_report((place / "results.json").string(), results_text(record));
-    write_report((place / "times.json").string(), times_text(record));
+    write_report((place / "times.json").string(), times_text(record, folder));
+    write_report((place / "tests.json").string(), tests_text(record));
     write_report((place / "results.csv").string(), csv_text(record));
     write_report((place / "junit.xml").string(), junit_text(record));
     const std::vector<std::vector<Result>> groups = by_submission(record.results);
-    if (groups.size() == 1) {
-        write_report((place / "gradescope.json").string(), gradescope_text(groups.front()));
-        return;
-    }
-    fs::create_directories(place / "gradescope");
-    for (const std::vector<Result>& results : groups)
-        write_report((place / "gradescope" / (file_name(results.front().submission) + ".json")).string(), gradescope_text(results));
+    if (groups.size() == 1) write_report((place / "gradescope.json").string(), gradescope_text(groups.front()));
+    if (groups.size() > 1) fs::create_directories(place / "gradescope");
+    for (std::size_t i = 0; i < groups.size() && groups.size() > 1; ++i)
+        write_report((place / "gradescope" / (report_file_name(groups[i].front().submission) + ".json")).string(),
+                     gradescope_text(groups[i]));
+    write_grade_pages(record, folder, all_pictures);
 }
 
 }  // namespace rt

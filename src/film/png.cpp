@@ -4,6 +4,7 @@
 #include <png.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csetjmp>
@@ -126,6 +127,59 @@ void write_png(const Film& film, OutputFile& file, const Encoding& encoding, con
         if (!guarded(writer.png, [&] { png_write_row(writer.png, bytes.data()); })) give_up();
     }
     if (!guarded(writer.png, [&] { png_write_end(writer.png, writer.info); })) give_up();
+}
+
+namespace {
+
+void append(png_structp png, png_bytep data, std::size_t size) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+/// The factor from stored numbers to those of a PNG with `bits`.
+float scale_to(int bits, int max_value) {
+    const float full = bits == 16 ? 65535.0f : 255.0f;
+    return max_value > 0 ? full / static_cast<float>(max_value) : full;
+}
+
+/// Row `y` of the picture as numbers of a PNG.
+void row_numbers(const StoredImage& image, int y, float scale, float full, std::vector<std::uint16_t>& numbers) {
+    const float* values = image.values.data() + static_cast<std::size_t>(y) * numbers.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const float value = scale * values[i];
+        numbers[i] = static_cast<std::uint16_t>(std::lround(value > 0.0f ? std::min(value, full) : 0.0f));  // what is no number is 0
+    }
+}
+
+}  // namespace
+
+std::string png_of(const StoredImage& image) {
+    constexpr int color_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
+    Writer writer;
+    const auto check = [&](bool good) {
+        if (!good) throw OutputError(fmt::format("cannot make a PNG: {}", writer.complaint.text));
+    };
+    check(writer.info);
+    const int bits = image.max_value > 0 && image.max_value <= 255 ? 8 : 16;
+    const float scale = scale_to(bits, image.max_value), full = bits == 16 ? 65535.0f : 255.0f;
+    std::string file;
+    check(guarded(writer.png, [&] {
+        png_set_write_fn(writer.png, &file, append, nullptr);
+        png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+        png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), bits,
+                     color_types[image.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_compression_level(writer.png, 2);
+        png_set_filter(writer.png, 0, PNG_FILTER_UP);
+        png_write_info(writer.png, writer.info);
+    }));
+    std::vector<std::uint16_t> numbers(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels));
+    std::vector<png_byte> bytes(numbers.size() * static_cast<std::size_t>(bits / 8));
+    for (int y = 0; y < image.height; ++y) {
+        row_numbers(image, y, scale, full, numbers);
+        store(numbers, bits, bytes);
+        check(guarded(writer.png, [&] { png_write_row(writer.png, bytes.data()); }));
+    }
+    check(guarded(writer.png, [&] { png_write_end(writer.png, writer.info); }));
+    return file;
 }
 
 namespace {

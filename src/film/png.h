@@ -10,6 +10,10 @@ namespace rt {
 /// Throws OutputError.
 void write_png(const Film& film, OutputFile& file, const Encoding& encoding, const ImageMetadata& metadata);
 
+/// The picture as a PNG file of 8 bits a channel (largest value 255 or less) or 16. Numbers are as they are stored where the largest is 255
+/// or 65535, else scaled to 255 or 65535 and rounded; floating-point ones are clamped to 0..1 and take 16 bits. Throws OutputError.
+std::string png_of(const StoredImage& image);
+
 /// Any PNG. Palettes come out as RGB or RGBA, 1-, 2- and 4-bit grey as 8-bit grey, a transparent colour as an alpha channel.
 /// Throws OptionError that names `path`.
 StoredImage read_png(std::FILE* file, const std::string& path);

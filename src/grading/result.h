@@ -53,6 +53,7 @@ struct Result {
     std::string explanation;  ///< lines: what speaks for the cause, the pixel, the rays
     std::string output;       ///< the first of what the program printed
     bool left_processes = false;
+    std::string picture;  ///< path of the picture that the program wrote, where it is kept; empty if there is none
 
     // Times: of the last run, for a timed test the median of its runs and how far they are apart.
     bool alone = false;  ///< nothing of ours ran beside it

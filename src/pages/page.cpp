@@ -31,12 +31,20 @@ std::string picture(const PageContent& content, std::string_view name) {
     return "data:image/png;base64," + base64(found->second);
 }
 
+std::string all_pictures(const PageContent& content) {
+    std::string text;
+    for (const auto& [name, bytes] : content.pictures)
+        text += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", name, base64(bytes));
+    return text;
+}
+
 /// What stands in the page for one {{field}} of the skeleton.
 std::string filled(const PageContent& content, std::string_view field) {
     const std::size_t space = field.find(' ');
     const std::string_view kind = field.substr(0, space), name = space == field.npos ? "" : field.substr(space + 1);
     if (kind == "data") return "<script type=\"application/json\" id=\"data\">" + json_in_html(content.json) + "</script>";
     if (kind == "style" || kind == "script") return element(kind, name);
+    if (kind == "pictures") return all_pictures(content);
     if (kind == "picture") return picture(content, name);
     throw std::logic_error(fmt::format("no page field '{}'", field));
 }

@@ -18,7 +18,8 @@ struct PageContent {
 ///     {{style NAME}}     becomes the asset in a <style> element,
 ///     {{script NAME}}    the asset in a <script> element; all of them share one global scope, in their order,
 ///     {{data}}           the JSON in <script type="application/json" id="data">,
-///     {{picture NAME}}   a data: URL.
+///     {{picture NAME}}   a data: URL,
+///     {{pictures}}       all pictures as base64, each in <script type="text/plain" id="NAME">: nothing decodes them until a script does.
 /// Throws std::logic_error for a name that is not there, and for an asset that would end its own element.
 std::string assemble_page(const PageContent& content);
 

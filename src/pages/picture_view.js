@@ -4,8 +4,9 @@
 /**
  * new PictureView({images, width, height, label, onPick, onPoint, onArrow, draw})
  *
- * images   <img> elements of pictures of the same size; each is put into a pane of its own, where it stood. One view is all panes':
- *          what is done to one happens in the others.
+ * images   <img> or <canvas> elements of pictures of the same size; each is put into a pane of its own, where it stood. A list of some
+ *          makes one pane with all of them over each other, where the first stood. One view is all panes': what is done to one happens in
+ *          the others. Panes that are not shown follow.
  * label    what the panes are called for who does not see them
  * onPick   (x, y, pane): a pixel was clicked; pixels are counted from the top left, panes from 0
  * onPoint  (x, y, pane), or (null): the pixel under the pointer
@@ -19,24 +20,28 @@ class PictureView {
     this.scale = 1; // CSS pixels for one of the picture's
     this.left = 0; // where the picture's corner is in a pane
     this.top = 0;
-    this.panes = this.images.map((image, index) => this.makePane(image, index));
+    this.panes = this.images.map((layers, index) => this.makePane([layers].flat(), index));
     const observer = new ResizeObserver(() => this.resized());
     for (const pane of this.panes) observer.observe(pane.element);
   }
 
-  makePane(image, index) {
+  makePane(layers, index) {
     const element = document.createElement("div");
     element.className = "pane";
     element.tabIndex = 0;
     element.setAttribute("role", "application");
     element.setAttribute("aria-label", this.label);
     element.style.aspectRatio = `${this.width} / ${this.height}`;
-    image.replaceWith(element);
-    image.draggable = false;
+    layers[0].replaceWith(element);
+    for (const layer of layers) {
+      layer.draggable = false;
+      layer.classList.add("picture");
+    }
     const canvas = document.createElement("canvas");
-    element.append(image, canvas);
+    canvas.className = "marks";
+    element.append(...layers, canvas);
     this.listen(element, index);
-    return { element, image, canvas };
+    return { element, layers, canvas };
   }
 
   listen(element, index) {
@@ -70,8 +75,8 @@ class PictureView {
   }
 
   get size() {
-    const { clientWidth, clientHeight } = this.panes[0].element;
-    return [clientWidth, clientHeight];
+    const { element } = this.panes.find((pane) => pane.element.clientWidth > 0) ?? this.panes[0];
+    return [element.clientWidth, element.clientHeight];
   }
 
   get fitScale() {
@@ -88,9 +93,13 @@ class PictureView {
     this.show();
   }
 
+  /** What is in the middle stays there. */
   resized() {
-    if (this.fitted) this.fit();
-    else this.show();
+    if (this.fitted) return this.fit();
+    const [width, height] = this.size;
+    this.left += (width - this.shown[0]) / 2;
+    this.top += (height - this.shown[1]) / 2;
+    this.show();
   }
 
   /** By a factor, about a point of the pane (its middle unless said). */
@@ -132,9 +141,10 @@ class PictureView {
 
   show() {
     this.clamp();
-    for (const [index, { element, image, canvas }] of this.panes.entries()) {
+    this.shown = this.size;
+    for (const [index, { element, layers, canvas }] of this.panes.entries()) {
       element.classList.toggle("crisp", this.scale * devicePixelRatio >= 1);
-      image.style.transform = `translate(${this.left}px, ${this.top}px) scale(${this.scale})`;
+      for (const layer of layers) layer.style.transform = `translate(${this.left}px, ${this.top}px) scale(${this.scale})`;
       canvas.width = element.clientWidth * devicePixelRatio;
       canvas.height = element.clientHeight * devicePixelRatio;
       const context = canvas.getContext("2d");

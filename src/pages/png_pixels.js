@@ -1,10 +1,16 @@
 // The numbers of a PNG file as they stand in it. A canvas would convert them: it knows 8 bits, one colour space and multiplied alpha.
 "use strict";
 
+function bytesOfBase64(text) {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
 /** The bytes behind the src of an <img> with a data: URL. */
 function bytesOfImage(image) {
-  const binary = atob(image.src.slice(image.src.indexOf(",") + 1));
-  return Uint8Array.from(binary, (char) => char.charCodeAt(0));
+  return bytesOfBase64(image.src.slice(image.src.indexOf(",") + 1));
 }
 
 /** Header and joined IDAT chunks. */
@@ -30,44 +36,63 @@ function pngChunks(bytes) {
   return { header, packed: new Blob(parts) };
 }
 
-/** Undoes the filter of one row in place (PNG specification, section 9); `above` is the row above, or zeros. */
+const paeth = (a, b, c) => {
+  const p = a + b - c;
+  const [pa, pb, pc] = [Math.abs(p - a), Math.abs(p - b), Math.abs(p - c)];
+  return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
+};
+
+/** What a filter predicts of a byte from those to its left, above, and above to the left (PNG specification, section 9). */
+const predictions = [() => 0, (a) => a, (a, b) => b, (a, b) => (a + b) >> 1, paeth];
+
+/** Undoes the filter of one row in place; `above` is the row above, or zeros. */
 function unfilterRow(filter, row, above, step) {
-  for (let i = 0; i < row.length; ++i) {
-    const a = i < step ? 0 : row[i - step];
-    const b = above[i];
-    const c = i < step ? 0 : above[i - step];
-    const p = a + b - c;
-    const [pa, pb, pc] = [Math.abs(p - a), Math.abs(p - b), Math.abs(p - c)];
-    const paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-    row[i] += [0, a, b, (a + b) >> 1, paeth][filter];
-  }
+  if (filter === 0) return;
+  const predict = predictions[filter];
+  for (let i = 0; i < Math.min(step, row.length); ++i) row[i] += predict(0, above[i], 0);
+  for (let i = step; i < row.length; ++i) row[i] += predict(row[i - step], above[i], above[i - step]);
 }
 
+/** So many bytes of what is packed. A file may promise little and hold a lot. */
+async function unpack(packed, size) {
+  const reader = packed.stream().pipeThrough(new DecompressionStream("deflate")).getReader();
+  const data = new Uint8Array(size);
+  for (let at = 0; at < size; ) {
+    const { done, value } = await reader.read();
+    if (done) throw new Error("a PNG that ends too soon");
+    data.set(value.subarray(0, size - at), at);
+    at += value.length;
+  }
+  await reader.cancel();
+  return data;
+}
+
+const mostPixels = 64e6;
+
 /**
- * Pixels of a PNG with 8 or 16 bits and no palette: {width, height, channels, depth, at(x, y)}, where `at` gives the channels of a
- * pixel, counted from the top left. Rejects for other files.
+ * Pixels of a PNG with 8 or 16 bits and no palette: {width, height, channels, depth, values, at(x, y)}. `values` are all numbers, row by
+ * row from the top; `at` gives the channels of a pixel, counted from the top left. Rejects for other files.
  */
 async function decodePng(bytes) {
   const { header, packed } = pngChunks(bytes);
   const channels = { 0: 1, 2: 3, 4: 2, 6: 4 }[header?.kind];
   if (!channels || header.interlaced || header.depth < 8) throw new Error("a kind of PNG that this page does not read");
-  const unpacked = packed.stream().pipeThrough(new DecompressionStream("deflate"));
-  const data = new Uint8Array(await new Response(unpacked).arrayBuffer());
-  const size = header.depth / 8;
-  const step = channels * size;
-  const length = header.width * step;
+  const { width, height, depth } = header;
+  if (width * height > mostPixels) throw new Error(`a picture of ${width} × ${height} pixels, too large for this page`);
+  const step = (channels * depth) / 8;
+  const length = width * step;
+  const data = await unpack(packed, height * (length + 1));
+  const values = depth === 8 ? new Uint8Array(width * height * channels) : new Uint16Array(width * height * channels);
   let above = new Uint8Array(length);
-  const rows = [];
-  for (let y = 0; y < header.height; ++y) {
+  for (let y = 0; y < height; ++y) {
     const start = y * (length + 1);
     const row = data.subarray(start + 1, start + 1 + length);
     unfilterRow(data[start], row, above, step);
-    rows.push((above = row));
+    above = row;
+    const first = y * width * channels;
+    if (depth === 8) values.set(row, first);
+    else for (let i = 0; i < width * channels; ++i) values[first + i] = row[2 * i] * 256 + row[2 * i + 1];
   }
-  const at = (x, y) =>
-    Array.from({ length: channels }, (_, c) => {
-      const i = x * step + c * size;
-      return size === 1 ? rows[y][i] : rows[y][i] * 256 + rows[y][i + 1];
-    });
-  return { width: header.width, height: header.height, channels, depth: header.depth, at };
+  const at = (x, y) => Array.from(values.subarray((y * width + x) * channels, (y * width + x + 1) * channels));
+  return { width, height, channels, depth, values, at };
 }

@@ -1,0 +1,72 @@
+// Pages that tell of many comparisons: a table, and for each row pictures, texts and facts. Made for `grade`, and for whoever compares.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// How a column's values are shown and sorted. Texts are sorted with their numbers as numbers; a missing value is always last.
+enum class CellKind : std::uint8_t { text, outcome, count, points, figure, seconds, bytes };
+
+struct ReportColumn {
+    std::string key, title;
+    CellKind kind = CellKind::text;
+    std::string hint;  ///< what the title means; may be empty
+};
+
+/// A picture of a row. The first is what the others are compared with.
+struct ReportPicture {
+    std::string label;
+    std::string path;     ///< of its file, in any format we read; empty: there is none
+    std::string missing;  ///< then: why
+};
+
+struct ReportRow {
+    /// Members of the row in the page's data; all but `name`, `good` and `cells` may be missing:
+    ///     name         unique; the page's address with #NAME shows the row
+    ///     good         false: to be looked at first
+    ///     cells        {column's key: text or number}
+    ///     tag          a word behind the name
+    ///     href         address of a page of its own, relative
+    ///     reason, cause, explanation, command, output, output_note    texts
+    ///     facts        [[name, text], ...]
+    ///     lines        of two texts side by side: [[number, text, number, text, [differing fields]], ...], numbers 0 where a line is
+    ///     missing lines_note   how they were compared region       {box: [x0, y0, x1, y1] with its ends excluded, pixel: [x, y], pixels},
+    ///     from the top left
+    nlohmann::ordered_json data;
+    std::vector<ReportPicture> pictures;
+};
+
+struct ReportPage {
+    std::string title;  ///< the heading
+    std::string about;  ///< a line below it
+    std::vector<std::pair<std::string, std::string>> facts;
+    std::vector<std::string> notes;     ///< what the reader has to know first
+    std::string back_href, back;        ///< a link in the head, relative; empty: none
+    std::string rows_name = "tests";    ///< what a row is, many of them
+    std::vector<ReportColumn> columns;  ///< the first names the row, the second may be its outcome
+    std::vector<ReportRow> rows;
+};
+
+/// Which pictures stand in a page.
+struct PictureChoice {
+    std::uint64_t most_bytes = 64ull << 20;  ///< of all files together; pictures of rows that are not good come first
+    bool of_good_rows = true;
+    std::string left_out;  ///< said of a picture that is left out
+};
+
+/// The page: one file that asks the network for nothing. Files of the same bytes stand in it once; what is no plain PNG (8 or 16 bits, no
+/// palette, not interlaced) is converted, and the page says so where numbers change by that. A file that cannot be read is told of in the
+/// page. The same rows and files give the same bytes.
+std::string report_page(const ReportPage& page, const PictureChoice& choice);
+
+/// A page of the table alone, whose rows lead to pages of their own (`href`).
+std::string report_index(const ReportPage& page);
+
+/// A file's name as a part of an address.
+std::string in_address(const std::string& name);
+
+}  // namespace rt

@@ -1,0 +1,104 @@
+// Pictures of a report as numbers: unpacked when they are looked at, drawn as they are stored, and subtracted.
+"use strict";
+
+const mostUnpacked = 8;
+const unpacked = new Map(); // the pictures looked at last, the latest at its end
+
+/** A promise of the pixels of a picture by its name in the page. */
+function pixelsOf(name) {
+  const pixels = unpacked.get(name) ?? decodePng(bytesOfBase64(byId(name).textContent));
+  unpacked.delete(name);
+  unpacked.set(name, pixels);
+  if (unpacked.size > mostUnpacked) unpacked.delete(unpacked.keys().next().value);
+  return pixels;
+}
+
+const hasAlpha = (pixels) => pixels.channels % 2 === 0;
+const fullOf = (pixels) => (pixels.depth === 8 ? 255 : 65535);
+
+/** Calls visit(i, r, g, b, a) for every pixel, in numbers from 0 to 255; grey is all three. */
+function eachPixel(pixels, visit) {
+  const { values, channels, width, height } = pixels;
+  const scale = 255 / fullOf(pixels);
+  const [green, blue] = channels >= 3 ? [1, 2] : [0, 0];
+  const alpha = hasAlpha(pixels) ? channels - 1 : -1;
+  for (let i = 0, at = 0; i < width * height; ++i, at += channels)
+    visit(i, values[at] * scale, values[at + green] * scale, values[at + blue] * scale, alpha < 0 ? 255 : values[at + alpha] * scale);
+}
+
+function canvasOf(width, height, className) {
+  const canvas = make("canvas", { class: className });
+  canvas.width = width;
+  canvas.height = height;
+  return canvas;
+}
+
+/** Shows the numbers of a picture, whatever colour space its file states; the canvas may be larger. */
+function drawPixels(canvas, pixels) {
+  const image = new ImageData(pixels.width, pixels.height);
+  eachPixel(pixels, (i, r, g, b, a) => {
+    image.data[4 * i] = r;
+    image.data[4 * i + 1] = g;
+    image.data[4 * i + 2] = b;
+    image.data[4 * i + 3] = a;
+  });
+  canvas.getContext("2d").putImageData(image, 0, 0);
+}
+
+/** How far two pictures are apart, channel by channel, colours multiplied by their alpha; where they overlap. */
+class PictureDifference {
+  constructor(a, b) {
+    this.width = Math.min(a.width, b.width);
+    this.height = Math.min(a.height, b.height);
+    this.apart = new Float32Array(3 * this.width * this.height);
+    this.gather(a, 1);
+    this.gather(b, -1);
+    for (let i = 0; i < this.apart.length; ++i) this.apart[i] = Math.abs(this.apart[i]);
+  }
+
+  gather(pixels, sign) {
+    const { apart, width, height } = this;
+    eachPixel(pixels, (i, r, g, b, a) => {
+      const x = i % pixels.width;
+      const y = (i - x) / pixels.width;
+      if (x >= width || y >= height) return;
+      const at = 3 * (y * width + x);
+      const weight = (sign * a) / 255;
+      apart[at] += weight * r;
+      apart[at + 1] += weight * g;
+      apart[at + 2] += weight * b;
+    });
+  }
+
+  /** Black where they are the same. */
+  draw(canvas, gain) {
+    const image = new ImageData(this.width, this.height);
+    for (let i = 0, from = 0; i < image.data.length; i += 4, from += 3) {
+      image.data[i] = gain * this.apart[from];
+      image.data[i + 1] = gain * this.apart[from + 1];
+      image.data[i + 2] = gain * this.apart[from + 2];
+      image.data[i + 3] = 255;
+    }
+    canvas.getContext("2d").putImageData(image, 0, 0);
+  }
+}
+
+/** The numbers of a pixel as they stand in the file; none outside of the picture. */
+function numbersAt(pixels, x, y) {
+  return x >= 0 && y >= 0 && x < pixels.width && y < pixels.height ? pixels.at(x, y) : null;
+}
+
+/** What two pixels differ by: numbers of the files if both count to the same, else of 65535. */
+function numbersApart(a, b, x, y) {
+  const [one, other] = [numbersAt(a, x, y), numbersAt(b, x, y)];
+  if (one === null || other === null) return null;
+  const channels = Math.max(one.length, other.length);
+  const full = a.depth === b.depth ? fullOf(a) : 65535;
+  const wide = (pixels, numbers) => {
+    const color = pixels.channels >= 3 ? numbers.slice(0, 3) : channels >= 3 ? [numbers[0], numbers[0], numbers[0]] : [numbers[0]];
+    const all = channels % 2 === 0 ? [...color, hasAlpha(pixels) ? numbers.at(-1) : fullOf(pixels)] : color;
+    return all.map((number) => (number * full) / fullOf(pixels));
+  };
+  const [wideOne, wideOther] = [wide(a, one), wide(b, other)];
+  return wideOne.map((number, c) => Math.abs(number - wideOther[c]));
+}
