@@ -32,6 +32,7 @@ class PictureView {
     element.setAttribute("role", "application");
     element.setAttribute("aria-label", this.label);
     element.style.aspectRatio = `${this.width} / ${this.height}`;
+    element.style.setProperty("--aspect", this.width / this.height); // for styles that limit the height
     layers[0].replaceWith(element);
     for (const layer of layers) {
       layer.draggable = false;

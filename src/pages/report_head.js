@@ -15,8 +15,10 @@ function showReportHead() {
   document.title = visibleText(about ? `${title} · ${about}` : title);
   byId("head").append(
     back ? make("p", {}, make("a", { href: back.href }, `← ${back.text}`)) : "",
-    make("div", { class: "title" }, make("h1", {}, visibleText(title)), make("p", {}, visibleText(about))),
-    make("dl", { class: "summary" }, facts.map(([name, text]) => make("div", {}, make("dt", {}, name), make("dd", {}, visibleText(text))))),
+    make("div", { class: "top" },
+      make("div", {}, make("h1", {}, visibleText(title)), make("p", {}, visibleText(about))),
+      make("dl", { class: "summary" }, facts.map(([name, text]) => make("div", {}, make("dt", {}, name), make("dd", {}, visibleText(text))))),
+    ),
     notes.length === 0 ? "" : make("ul", { class: "notes note" }, notes.map((text) => make("li", {}, visibleText(text)))),
   );
 }

@@ -75,11 +75,12 @@ function showLines(section, row) {
   section.hidden = !row.lines;
   if (!row.lines) return section.replaceChildren();
   const heading = (text) => make("th", { scope: "col", colspan: 2 }, text);
+  const columns = make("colgroup", {}, ["no", "text", "no", "text"].map((kind) => make("col", { class: kind })));
   const head = make("thead", {}, make("tr", {}, heading("Expected"), heading("Printed")));
   const differing = row.lines.filter((line) => !isSame(line)).length;
   section.replaceChildren(
     make("h3", {}, "Texts side by side"),
     make("p", { class: "hint" }, `${differing} of ${row.lines.length} lines differ. ${row.lines_note ?? ""}`),
-    make("div", { class: "scroller", tabindex: 0, role: "region", "aria-label": "Both texts" }, make("table", { class: "lines" }, head, make("tbody", {}, lineRows(row.lines)))),
+    make("div", { class: "scroller", tabindex: 0, role: "region", "aria-label": "Both texts" }, make("table", { class: "lines" }, columns, head, make("tbody", {}, lineRows(row.lines)))),
   );
 }

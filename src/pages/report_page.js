@@ -22,7 +22,7 @@ function commandElement(command) {
 }
 
 function factsElement(facts) {
-  const list = make("dl", { class: "facts" }, facts.map(([name, text]) => [make("dt", {}, name), make("dd", {}, visibleText(text))]));
+  const list = make("dl", { class: "facts" }, facts.flatMap(([name, text]) => [make("dt", {}, name), make("dd", {}, visibleText(text))]));
   return make("section", { class: "card", "aria-label": "Run" }, make("h3", {}, "Run"), list);
 }
 

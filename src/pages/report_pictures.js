@@ -22,7 +22,7 @@ class RowPictures {
   async show(row) {
     const turn = ++this.turn;
     this.overlay?.play(false);
-    this.overlay = this.view = null;
+    this.overlay = this.view = this.gain = null;
     this.row = row;
     this.pointed = null;
     const pictures = row.pictures ?? [];
@@ -184,7 +184,7 @@ class RowPictures {
       tell();
     });
     tell();
-    return make("label", {}, "Gain", slider, told);
+    return (this.gain = make("label", {}, "Gain", slider, told));
   }
 
   setMode(mode) {
@@ -193,6 +193,7 @@ class RowPictures {
     this.sideBySide.hidden = mode !== "side";
     this.over.hidden = mode === "side";
     this.playButton.hidden = mode !== "blink";
+    if (this.gain) this.gain.hidden = mode !== "side";
     this.overlay?.setMode(mode);
     this.view.resized();
     this.overlay?.show();

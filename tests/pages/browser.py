@@ -39,6 +39,31 @@ def find_chromium():
     return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 
+# The least contrast of any text on the page with the ground behind it (WCAG 2, relative luminance).
+CONTRAST = """(() => {
+    const channels = (color) => color.match(/[\\d.]+/g).map(Number);
+    const luminance = (rgb) => {
+        const [r, g, b] = rgb.slice(0, 3).map((v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const ground = (element) => {
+        for (; element; element = element.parentElement) {
+            const color = channels(getComputedStyle(element).backgroundColor);
+            if (color.length === 3 || color[3] === 1) return color;
+        }
+        return [255, 255, 255];
+    };
+    let least = [Infinity];
+    for (const element of document.querySelectorAll("body *:not(script, svg *)")) {
+        if (![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
+        const [a, b] = [luminance(channels(getComputedStyle(element).color)), luminance(ground(element))];
+        const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        if (contrast < least[0]) least = [contrast, element.outerHTML.slice(0, 200)];
+    }
+    return least;
+})()"""
+
+
 class BrowserError(Exception):
     pass
 
@@ -227,6 +252,10 @@ class Page:
     def screenshot(self, path, whole=False):
         data = self.call("Page.captureScreenshot", captureBeyondViewport=whole)["data"]
         pathlib.Path(path).write_bytes(base64.b64decode(data))
+
+    def least_contrast(self):
+        """Of any text with its ground, and the element; 4.5 is wanted of ordinary text (WCAG 2)."""
+        return self.evaluate(CONTRAST)
 
     def foreign_requests(self):
         """Everything asked for but the page itself and what it holds."""
