@@ -4,11 +4,13 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "core/source.h"
 #include "film/image_file.h"
+#include "film/png.h"
 #include "tests/film/module.h"
 
 namespace rt {
@@ -172,6 +174,29 @@ TEST_F(Reading, OnlyOtherFormatsLoadOpenImageIO) {
             _exit(!before && maps_openimageio() ? 0 : 1);
         },
         testing::ExitedWithCode(0), "");
+}
+
+/// Back through the reader: numbers as they were.
+TEST_F(Reading, APictureAsPngHasItsNumbers) {
+    const StoredImage images[] = {{2, 1, 1, 255, {0, 255}},
+                                  {1, 2, 2, 255, {1, 2, 3, 4}},
+                                  {2, 1, 3, 65535, {0, 1, 2, 65535, 40000, 257}},
+                                  {1, 1, 4, 255, {1, 2, 3, 4}}};
+    for (const StoredImage& image : images) {
+        const StoredImage back = read_image(file(png_of(image)));
+        EXPECT_EQ(back.width, image.width);
+        EXPECT_EQ(back.height, image.height);
+        EXPECT_EQ(back.channels, image.channels);
+        EXPECT_EQ(back.max_value, image.max_value);
+        EXPECT_EQ(back.values, image.values);
+    }
+}
+
+TEST_F(Reading, OtherNumbersAreScaledToThoseOfAPng) {
+    EXPECT_THAT(read_image(file(png_of({3, 1, 1, 15, {0, 5, 15}}))).values, ElementsAre(0, 85, 255));
+    EXPECT_THAT(read_image(file(png_of({2, 1, 1, 1000, {500, 1000}}))).values, ElementsAre(32768, 65535));
+    EXPECT_THAT(read_image(file(png_of({5, 1, 1, 0, {0.0f, 0.5f, 2.0f, -1.0f, std::nanf("")}}))).values,
+                ElementsAre(0, 32768, 65535, 0, 0));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ class Hostile(unittest.TestCase):
                     if expected:
                         self.assertEqual(result["outcome"], expected, f"{test}: {result.get('reason')}")
                 self.assertEqual(run.returncode, 0 if name == "right" else 1, run.stderr)
-                for report in ("results.json", "times.json", "results.csv", "junit.xml", "gradescope.json"):
+                for report in ("results.json", "times.json", "results.csv", "junit.xml", "gradescope.json", "tests.json", "report.html"):
                     self.assertTrue((self.place / "out" / name / report).exists())
 
     def test_writes_nowhere_else(self):

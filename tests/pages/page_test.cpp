@@ -28,7 +28,7 @@ TEST(PageAssets, AreTheFilesByteForByte) {
         ++count;
         EXPECT_EQ(page_asset(entry.path().filename().string()), text_of(entry.path())) << entry.path();
     }
-    EXPECT_GE(count, 9);
+    EXPECT_GE(count, 20);
     EXPECT_EQ(page_asset("none.js"), "");
 }
 
@@ -61,6 +61,13 @@ TEST(Page, IsWholeAndFilledOnce) {
     EXPECT_EQ(count(page, "<style>"), 2u);
     EXPECT_NE(page.find(page_asset("picture_view.js")), page.npos);
     EXPECT_NE(page.find("default-src 'none'"), page.npos);
+}
+
+TEST(Page, HoldsPicturesThatNothingDecodes) {
+    const std::string page = assemble_page({"report_page.html", "{}", {{"p0", "foo"}, {"p1", "bar"}}});
+    EXPECT_EQ(count(page, "<script type=\"text/plain\" id=\"p0\">Zm9v</script>"), 1u);
+    EXPECT_EQ(count(page, "<script type=\"text/plain\" id=\"p1\">YmFy</script>"), 1u);
+    EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
 }
 
 TEST(Page, NamesWhatIsMissing) {
