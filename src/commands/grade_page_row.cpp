@@ -99,9 +99,9 @@ void tell_texts(const Result& result, const TestCase* test, Json& data) {
         // The place is not in what was kept, or there is nothing to lay beside it.
         const TextDifference& d = *result.text;
         const auto number = [](const std::string& line, Json known) { return line.empty() ? Json(0) : std::move(known); };
-        data["lines"] = Json::array(
-            {Json::array({number(d.expected_line, nullptr), cut(d.expected_line, most_of_a_line), number(d.actual_line, d.line),
-                          cut(d.actual_line, most_of_a_line), d.field > 0 ? Json::array({d.field}) : Json::array()})});
+        data["lines"] =
+            Json::array({Json::array({number(d.expected_line, nullptr), cut(d.expected_line, most_of_a_line), number(d.actual_line, d.line),
+                                      cut(d.actual_line, most_of_a_line), d.field > 0 ? Json::array({d.field}) : Json::array()})});
         note += expected ? " This is the first line that differs; the page has no more of what was printed."
                          : " This is the first line that differs; the expected text is not there.";
     } else {
