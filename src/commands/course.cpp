@@ -7,27 +7,23 @@
 #include "commands/commands.h"
 #include "commands/course_arguments.h"
 #include "commands/course_boxes.h"
+#include "commands/course_pixel.h"
 #include "commands/course_text.h"
-#include "commands/encoding.h"
 #include "commands/help.h"
 #include "commands/job_steps.h"
 #include "commands/names.h"
 #include "commands/pixel_page.h"
 #include "commands/ray_tree_json.h"
 #include "commands/session.h"
-#include "commands/surroundings.h"
 #include "commands/text.h"
 #include "trace/camera.h"
-#include "trace/pixel_rays.h"
 
 namespace rt {
 
 namespace {
 
-int row_from_top(const CourseArguments& arguments) { return row_from_top(arguments.job, arguments.y); }
-
 Ray ray_of_centre(const CourseArguments& arguments, const CameraBasis& camera) {
-    return camera_ray(camera, arguments.x + 0.5, row_from_top(arguments) + 0.5, arguments.job.width, arguments.job.height);
+    return camera_ray(camera, arguments.x + 0.5, row_from_top(arguments.job, arguments.y) + 0.5, arguments.job.width, arguments.job.height);
 }
 
 int render_course(CourseArguments arguments) { return run_session(std::move(arguments.job)); }
@@ -64,32 +60,13 @@ int firsthit(CourseArguments arguments) {
     return 0;
 }
 
-TracedPixel trace(CourseArguments& arguments) {
-    const MessageSink silent = message_sink(true);
-    const RenderJob& job = arguments.job;
-    TracedPixel traced;
-    traced.scene = read_scene(arguments.job, silent);
-    RenderOptions options = render_options(job, traced.scene);
-    const World world = build_world(job, traced.scene, silent, few_rays_of_pixel(options, traced.scene.settings.max_trace_level));
-    options.trace.environment = read_surroundings(job.environment);
-    traced.rays = trace_pixel(world, std::move(options), arguments.x, row_from_top(arguments));
-    Encoding encoding = encoding_of(job, traced.scene.settings.gamma);
-    encoding.bits = 8;
-    const Pixel& p = traced.rays.pixel;
-    traced.name = {arguments.x, arguments.y, {quantise(p.r, encoding), quantise(p.g, encoding), quantise(p.b, encoding)}};
-    traced.scene_name = job.scene, traced.shading = shading_text(job), traced.profile = job.profile;
-    traced.width = job.width, traced.height = job.height;
-    traced.camera = world.camera;
-    return traced;
-}
-
 std::string_view brdf_name(const RenderJob& job) {
     if (!job.course) return name_of(shading_names, *job.shading);
     return job.course->cook_torrance ? "Cook-Torrance" : "Blinn-Phong";
 }
 
 int pixelcolor(CourseArguments arguments) {
-    const TracedPixel traced = trace(arguments);
+    const TracedPixel traced = trace_course_pixel(arguments);
     // Of several samples the middle one stands for the pixel.
     const RayNode& node = traced.rays.samples[traced.rays.samples.size() / 2].nodes.front();
     write_stdout(pixelcolor_text(traced.name, traced.scene, node, brdf_name(arguments.job)));
@@ -97,14 +74,14 @@ int pixelcolor(CourseArguments arguments) {
 }
 
 int printrays(CourseArguments arguments) {
-    const TracedPixel traced = trace(arguments);
+    const TracedPixel traced = trace_course_pixel(arguments);
     write_stdout(arguments.json ? ray_tree_json(traced) : printrays_text(traced.name, traced.scene, traced.rays.samples));
     return 0;
 }
 
 int pixeltrace(CourseArguments arguments) {
     if (arguments.page) return write_pixel_page(std::move(arguments));
-    const TracedPixel traced = trace(arguments);
+    const TracedPixel traced = trace_course_pixel(arguments);
     write_stdout(arguments.json ? ray_tree_json(traced) : pixeltrace_text(traced.name, traced.scene, traced.rays.samples));
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/divergence_text.h"
 #include "commands/help.h"
 #include "commands/text.h"
 #include "commands/told_pixel_file.h"
@@ -11,29 +12,6 @@
 #include "grading/explain.h"
 
 namespace rt {
-
-namespace {
-
-/// "sample 1, ray 3 (camera > transmission > mirror)": rays are counted from 1, as they stand in the file.
-std::string ray_text(const Divergence& found, const ToldPixel& told, std::size_t ray) {
-    const std::vector<ToldRay>& rays = told.samples[found.sample];
-    std::string path;
-    for (std::size_t i = ray; i != ToldRay::none; i = rays[i].parent) {
-        const char* name = rays[i].kind == ToldRay::Kind::camera       ? "camera"
-                           : rays[i].kind == ToldRay::Kind::reflection ? "mirror"
-                                                                       : "transmission";
-        path = path.empty() ? name : fmt::format("{} > {}", name, path);
-    }
-    return fmt::format("sample {}, ray {} ({})", found.sample + 1, ray + 1, path);
-}
-
-std::string text_of(const Divergence& found, const ToldPixel& a) {
-    const std::string place = found.ray_a == ToldRay::none ? "" : " of " + ray_text(found, a, found.ray_a);
-    return fmt::format("first difference: {}{}\n  A  {}\n  B  {}\nlikely cause: {}\n{}\n", found.field, place, found.value_a, found.value_b,
-                       name_of(found.cause), meaning_of(found.cause));
-}
-
-}  // namespace
 
 int run_explain(const Words& words) {
     double tolerance = 1e-4;
@@ -51,7 +29,7 @@ int run_explain(const Words& words) {
         if (files.size() != 2) throw OptionError("explain: expected two records of a pixel; see raytrace explain --help");
         const ToldPixel a = read_told_pixel(files[0]), b = read_told_pixel(files[1]);
         const std::optional<Divergence> found = first_divergence(a, b, tolerance);
-        if (!quiet) write_stdout(found ? text_of(*found, a) : "the same\n");
+        if (!quiet) write_stdout(found ? divergence_text(*found, a) : "the same\n");
         return found ? 1 : 0;
     } catch (const SceneError& error) {  // its own line, which editors parse
         write_stderr(fmt::format("{}\n", error.what()));

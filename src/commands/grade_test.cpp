@@ -12,6 +12,7 @@
 #include "commands/result_json.h"
 #include "commands/text.h"
 #include "commands/write_bytes.h"
+#include "commands/wrong_answer.h"
 #include "core/source.h"
 #include "grading/judge.h"
 #include "grading/result_names.h"
@@ -97,22 +98,38 @@ Written take_picture(const Place& place, const TestCase& test, std::string& byte
     return written;
 }
 
-Result judged(const TestCase& test, const Ending& ending, const Place& place, std::string& picture) {
+Result judged(const Suite& suite, const TestCase& test, const Ending& ending, const Place& place, const RunAgain& run_again,
+              std::string& picture) {
     if (test.kind == TestCase::Kind::text) {
         const std::optional<std::string> expected = read_file_text(test.expected, test.limits.file_bytes);
         if (!expected) throw OptionError(fmt::format("cannot read '{}'", test.expected));
-        return judge_text(test, ending, *expected);
+        Result result = judge_text(test, ending, *expected);
+        if (result.outcome == Outcome::wrong_answer) explain_text(*expected, ending.output, result);
+        return result;
     }
     const Written written = take_picture(place, test, picture);
     if (test.kind == TestCase::Kind::shown) return judge_shown(test, ending, written);
-    return judge_picture(test, ending, written, read_image(test.expected));
+    const StoredImage expected = read_image(test.expected);
+    Result result = judge_picture(test, ending, written, expected);
+    if (result.outcome == Outcome::wrong_answer) explain_picture(suite, test, expected, written.image, run_again, result);
+    return result;
 }
 
 /// The median run of a timed test stands for all of them, unless one fails.
 Result run_once(const Grading& grading, const Submission& submission, const TestCase& test, int slot, std::string& picture) {
     const Place place(grading, submission, test);
-    const Ending ending = run_contained(contained_run(grading, submission, test, place), test.limits, grading.containment, slot);
-    return judged(test, ending, place, picture);
+    const ContainedRun run = contained_run(grading, submission, test, place);
+    const Ending ending = run_contained(run, test.limits, grading.containment, slot);
+    const RunAgain run_again = [&](const std::vector<std::string>& arguments) {
+        ContainedRun again = run;
+        again.command.resize(1);
+        again.command.insert(again.command.end(), arguments.begin(), arguments.end());
+        Limits limits = test.limits;
+        limits.wall_seconds = std::min(limits.wall_seconds, 10.0);
+        const Ending second = run_contained(again, limits, grading.containment, slot);
+        return second.kind == Ending::Kind::exited && second.status == 0 ? second.output : std::string();
+    };
+    return judged(grading.suite, test, ending, place, run_again, picture);
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ const char* const grade_usage =
     "does.";
 const char* const grade_footer =
     R"(SUITE: a folder as the course lays it out, or a suite file (help suite). Known
-results are not run again: an interrupted grading goes on where it was.
+results are not run again: an interrupted grading goes on where it was. A wrong
+answer has its usual cause in the table, what speaks for it in results.json.
 Exit status: 0, or 1 if one program is graded and a required test failed.)";
 const char* const merge_usage = "Usage: raytrace merge [OPTION...] DIR...\nJoins the results of a grading's shards: DIR are their outputs.";
 const char* const merge_footer = "Results stand in the order of one run; reports are the same bytes.";
