@@ -1,18 +1,18 @@
-// Results that are already known, one folder each, named by everything that they depend on.
+// Results that are already known, named by everything that they depend on.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "commands/entry_store.h"
 #include "grading/result.h"
 
 namespace rt {
 
-/// An entry appears whole or not at all, so whoever ends a grading at any moment loses what was running and nothing else.
 class GradeStore {
 public:
-    /// Makes `folder` if need be and removes what ended runs have left in it. Throws OutputError.
-    explicit GradeStore(std::string folder);
+    /// See EntryStore.
+    explicit GradeStore(std::string folder) : entries_(std::move(folder)) {}
 
     /// The result under `key`; empty if there is none (or a broken one, which is as good).
     std::optional<Result> find(const std::string& key) const;
@@ -22,7 +22,7 @@ public:
     std::string picture_path(const std::string& key) const;
 
 private:
-    std::string folder_;
+    EntryStore entries_;
 };
 
 }  // namespace rt
