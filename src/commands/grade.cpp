@@ -10,16 +10,18 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/content_hash.h"
-#include "commands/grade_progress.h"
 #include "commands/grade_reports.h"
 #include "commands/grade_run.h"
 #include "commands/help.h"
 #include "commands/interrupt.h"
 #include "commands/job_steps.h"
+#include "commands/run_place.h"
 #include "commands/submissions.h"
 #include "commands/suite_file.h"
+#include "commands/task_progress.h"
 #include "commands/text.h"
 #include "commands/values.h"
+#include "commands/write_bytes.h"
 
 namespace rt {
 
@@ -150,9 +152,9 @@ int run(GradeJob job) {
     GradeRecord record{grading.suite.name, uncontained, job.shard, {}, grading.suite.tests};
     {
         const StopOnSignal signals;
-        GradeProgressLine progress(!job.quiet);
+        TaskProgressLine progress(!job.quiet, "tests");
         record.results = run_tasks(grading, tasks, store, job.parallel, job.fresh, signals.stop(),
-                                   [&](const GradeProgress& state) { progress.update(state); });
+                                   [&](const TaskProgress& state) { progress.update(state); });
     }
     write_reports(record, job.folder, job.all_pictures);
     if (!job.quiet) write_stdout(table_text(record));

@@ -10,6 +10,7 @@
 
 #include "commands/grade_page_row.h"
 #include "commands/report_page.h"
+#include "commands/write_bytes.h"
 #include "grading/result_names.h"
 #include "syntax/file_text.h"
 

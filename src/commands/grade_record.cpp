@@ -32,17 +32,6 @@ void expect_format(const JsonValue& value, const char* format) {
     if (value["format"].word() != format) value["format"].fail(fmt::format("\"{}\"", format));
 }
 
-/// A head, and a list with one entry a line.
-std::string listing(const Json& head, const char* list, const std::vector<Json>& entries) {
-    std::string text = "{";
-    for (const auto& [name, value] : head.items())
-        text += fmt::format("\n \"{}\": {},", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
-    text += fmt::format("\n \"{}\": [", list);
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        text += fmt::format("{}\n  {}", i ? "," : "", entries[i].dump(-1, ' ', false, Json::error_handler_t::replace));
-    return text + "\n ]\n}\n";
-}
-
 Json test_json(const TestCase& test) {
     Json pass = Json::array();
     for (const Threshold& limit : test.pass) pass.push_back({{"metric", name_of(metric_names, limit.metric)}, {"at_most", limit.at_most}});
@@ -81,11 +70,11 @@ std::vector<TestCase> read_tests(const fs::path& path) {
 std::string results_text(const GradeRecord& record) {
     std::vector<Json> entries;
     for (const Result& result : record.results) entries.push_back(result_json(result));
-    return listing({{"format", results_format},
-                    {"suite", record.suite},
-                    {"holes", record.holes},
-                    {"shard", {record.shard.index + 1, record.shard.of}}},
-                   "results", entries);
+    return json_listing({{"format", results_format},
+                         {"suite", record.suite},
+                         {"holes", record.holes},
+                         {"shard", {record.shard.index + 1, record.shard.of}}},
+                        "results", entries);
 }
 
 std::string times_text(const GradeRecord& record, const std::string& folder) {
@@ -96,13 +85,13 @@ std::string times_text(const GradeRecord& record, const std::string& folder) {
         if (!result.picture.empty()) entry["picture"] = fs::path(result.picture).lexically_proximate(folder).string();
         entries.push_back(std::move(entry));
     }
-    return listing({{"format", times_format}, {"suite", record.suite}}, "times", entries);
+    return json_listing({{"format", times_format}, {"suite", record.suite}}, "times", entries);
 }
 
 std::string tests_text(const GradeRecord& record) {
     std::vector<Json> entries;
     for (const TestCase& test : record.tests) entries.push_back(test_json(test));
-    return listing({{"format", tests_format}, {"suite", record.suite}}, "tests", entries);
+    return json_listing({{"format", tests_format}, {"suite", record.suite}}, "tests", entries);
 }
 
 GradeRecord read_record(const std::string& folder) {

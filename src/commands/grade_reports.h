@@ -36,9 +36,6 @@ std::string gradescope_text(const std::vector<Result>& results);
 /// For a terminal: one program's tests, or a line for each of many programs.
 std::string table_text(const GradeRecord& record);
 
-/// A file that appears whole or not at all. Throws OutputError.
-void write_report(const std::string& path, const std::string& text);
-
 /// The name of a program's own files, without their ending.
 std::string report_file_name(const std::string& submission);
 

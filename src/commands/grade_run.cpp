@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <optional>
 
 #include "grading/workers.h"
@@ -17,38 +16,10 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// How long what is left will take: a test takes what it took in other programs on average, else what all took.
-class TimeLeft {
-public:
-    void add(const std::string& test, double seconds) {
-        for (Mean* mean : {&by_test_[test], &all_}) mean->sum += seconds, ++mean->count;
-        --waiting_[test];
-    }
-    void expect(const std::string& test) { ++waiting_[test]; }
-    double seconds(int parallel) const {
-        double sum = 0.0;
-        for (const auto& [test, count] : waiting_) {
-            const auto known = by_test_.find(test);
-            sum += static_cast<double>(count) * (known == by_test_.end() ? all_ : known->second).value();
-        }
-        return sum / parallel;
-    }
-
-private:
-    struct Mean {
-        double sum = 0.0;
-        std::size_t count = 0;
-        double value() const { return count ? sum / static_cast<double>(count) : 0.0; }
-    };
-    std::map<std::string, Mean> by_test_;
-    std::map<std::string, long> waiting_;
-    Mean all_;
-};
-
 class Run {
 public:
     Run(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, const std::atomic<bool>& stop,
-        const std::function<void(const GradeProgress&)>& progress)
+        const std::function<void(const TaskProgress&)>& progress)
         : grading_(grading), tasks_(tasks), store_(store), stop_(stop), report_(progress), results_(tasks.size()), started_(tasks.size()) {
         progress_.tasks = tasks.size();
     }
@@ -151,12 +122,12 @@ private:
     const std::vector<GradeTask>& tasks_;
     const GradeStore& store_;
     const std::atomic<bool>& stop_;
-    const std::function<void(const GradeProgress&)>& report_;
+    const std::function<void(const TaskProgress&)>& report_;
     std::vector<std::optional<Result>> results_;
     std::vector<Clock::time_point> started_;
     std::map<std::size_t, std::vector<std::size_t>> followers_;  ///< of a task: those with the same program and test
     TimeLeft left_;
-    GradeProgress progress_;
+    TaskProgress progress_;
     Clock::time_point start_ = Clock::now();
 };
 
@@ -174,7 +145,7 @@ std::vector<GradeTask> tasks_of(const std::vector<Submission>& submissions, cons
 }
 
 std::vector<Result> run_tasks(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, int parallel,
-                              bool fresh, const std::atomic<bool>& stop, const std::function<void(const GradeProgress&)>& progress) {
+                              bool fresh, const std::atomic<bool>& stop, const std::function<void(const TaskProgress&)>& progress) {
     Run run(grading, tasks, store, stop, progress);
     std::vector<std::size_t> together, alone;
     for (const std::size_t i : run.take_known(fresh)) (tasks[i].test->timed ? alone : together).push_back(i);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/grade_test.h"
+#include "commands/task_progress.h"
 
 namespace rt {
 
@@ -21,16 +22,9 @@ struct GradeTask {
 /// Every test of every submission, in their order: one submission's tests one behind the other. Of a shard its own only.
 std::vector<GradeTask> tasks_of(const std::vector<Submission>& submissions, const Suite& suite, const Shard& shard);
 
-/// How far a grading is.
-struct GradeProgress {
-    std::size_t tasks = 0, done = 0, taken = 0;  ///< `taken` of those done were known already
-    double seconds = 0.0;                        ///< since the first run began
-    double seconds_left = 0.0;                   ///< from what the same tests took in other programs, else from the mean
-};
-
 /// A result for each task, in their order; after `stop` some are not run. Tests run `parallel` at a time; timed ones behind them, with
 /// nothing beside them, and so again what did not end in time while others were running. `fresh`: known results are not taken.
 std::vector<Result> run_tasks(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, int parallel,
-                              bool fresh, const std::atomic<bool>& stop, const std::function<void(const GradeProgress&)>& progress);
+                              bool fresh, const std::atomic<bool>& stop, const std::function<void(const TaskProgress&)>& progress);
 
 }  // namespace rt

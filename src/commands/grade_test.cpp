@@ -1,8 +1,6 @@
 #include "commands/grade_test.h"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +8,7 @@
 
 #include "commands/content_hash.h"
 #include "commands/result_json.h"
+#include "commands/run_place.h"
 #include "commands/text.h"
 #include "commands/write_bytes.h"
 #include "commands/wrong_answer.h"
@@ -25,33 +24,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* place_prefix = "raytrace-grade-";  ///< behind it the process that grades
-
 /// A program's own folder, as the course's graders lay it out: it runs in "build", the scenes are in "resources" beside it and in it.
 class Place {
 public:
     Place(const Grading& grading, const Submission& submission, const TestCase& test) {
-        std::string pattern = (fs::temp_directory_path() / fmt::format("{}{}-XXXXXX", place_prefix, getppid())).string();
-        if (!mkdtemp(pattern.data())) throw OutputError(fmt::format("cannot make a folder in '{}'", fs::temp_directory_path().string()));
-        folder_ = pattern;
-        fs::create_directory(folder_ / "build");
-        fs::create_directory_symlink(grading.suite.inputs, folder_ / "resources");
-        fs::create_directory_symlink(grading.suite.inputs, folder_ / "build" / "resources");
+        const fs::path folder = place_.folder();
+        fs::create_directory(folder / "build");
+        fs::create_directory_symlink(grading.suite.inputs, folder / "resources");
+        fs::create_directory_symlink(grading.suite.inputs, folder / "build" / "resources");
         if (test.kind == TestCase::Kind::shown)
-            fs::copy_file(fs::path(submission.scenes) / test.arguments.at(1), folder_ / "build" / test.arguments.at(1));
+            fs::copy_file(fs::path(submission.scenes) / test.arguments.at(1), folder / "build" / test.arguments.at(1));
     }
-    ~Place() {
-        std::error_code none;
-        fs::remove_all(folder_, none);
-    }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
 
-    std::string folder() const { return folder_.string(); }
-    std::string working_folder() const { return (folder_ / "build").string(); }
+    std::string folder() const { return place_.folder(); }
+    std::string working_folder() const { return (fs::path(place_.folder()) / "build").string(); }
 
 private:
-    fs::path folder_;
+    RunPlace place_;
 };
 
 /// Where the right answers are: their folders, but where the scenes are in the same one the answers themselves.
@@ -177,16 +166,6 @@ Result result_without_program(const Submission& submission, const TestCase& test
     result.required = test.required, result.weight = test.weight;
     result.outcome = Outcome::not_started, result.reason = submission.problem;
     return result;
-}
-
-void remove_left_places() {
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(error), error)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with(place_prefix)) continue;
-        const int process = std::atoi(name.c_str() + std::string_view(place_prefix).size());
-        if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
-    }
 }
 
 }  // namespace rt

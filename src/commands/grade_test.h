@@ -39,7 +39,4 @@ bool has_scene(const Submission& submission, const TestCase& test);
 /// The result of a test of a submission without a program.
 Result result_without_program(const Submission& submission, const TestCase& test);
 
-/// Removes the folders that gradings which have ended on this machine left behind.
-void remove_left_places();
-
 }  // namespace rt

@@ -1,6 +1,7 @@
 // Results for other programs: CSV, JUnit, Gradescope.
 #include <fmt/format.h>
 
+#include "commands/csv_field.h"
 #include "commands/grade_reports.h"
 #include "commands/result_json.h"
 #include "grading/result_names.h"
@@ -8,15 +9,6 @@
 namespace rt {
 
 namespace {
-
-/// A CSV field (RFC 4180). What a spreadsheet would take for a formula gets an apostrophe.
-std::string field(std::string text) {
-    if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) text = fmt::format("'{}", text);
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 /// Text in XML 1.0: characters it cannot hold are '?', which makes other bytes than UTF-8 harmless as well.
 std::string xml(std::string_view text) {
@@ -80,10 +72,10 @@ std::string csv_text(const GradeRecord& record) {
     for (const auto& [name, metric] : metric_names) text += fmt::format(",{}", name);
     text += ",cause,reason,wall_seconds,cpu_seconds,spread_seconds,peak_bytes\n";
     for (const Result& r : record.results) {
-        text += fmt::format("{},{},{},{},{},{},{},{}", field(r.submission), field(r.test), name_of(kind_names, r.kind),
+        text += fmt::format("{},{},{},{},{},{},{},{}", csv_field(r.submission), csv_field(r.test), name_of(kind_names, r.kind),
                             r.required ? "yes" : "no", name_of(outcome_names, r.outcome), r.credit, r.weight, r.status);
         for (const auto& [name, metric] : metric_names) text += r.figures ? fmt::format(",{:.9g}", (*r.figures)[metric]) : ",";
-        text += fmt::format(",{},{},{:.3f},{:.3f},{:.3f},{}\n", field(r.cause), field(r.reason), r.wall_seconds, r.cpu_seconds,
+        text += fmt::format(",{},{},{:.3f},{:.3f},{:.3f},{}\n", csv_field(r.cause), csv_field(r.reason), r.wall_seconds, r.cpu_seconds,
                             r.spread_seconds, r.peak_memory_bytes);
     }
     return text;

@@ -8,7 +8,7 @@
 #include "commands/grade_pages.h"
 #include "commands/grade_reports.h"
 #include "commands/values.h"
-#include "film/output_file.h"
+#include "commands/write_bytes.h"
 #include "grading/result_names.h"
 
 namespace rt {
@@ -65,12 +65,6 @@ std::string table_text(const GradeRecord& record) {
     const std::vector<std::vector<Result>> groups = by_submission(record.results);
     if (groups.empty()) return "no tests\n";
     return groups.size() == 1 ? program_table(groups.front()) : many_table(groups);
-}
-
-void write_report(const std::string& path, const std::string& text) {
-    OutputFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
 }
 
 std::string report_file_name(const std::string& submission) {

@@ -1,5 +1,7 @@
 #include "commands/result_json.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "grading/result_names.h"
@@ -9,19 +11,6 @@ namespace rt {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json figures_json(const PictureFigures& figures) {
-    Json json = {{"pixels", figures.pixels}, {"fuzz", figures.fuzz_percent}};
-    for (const auto& [name, metric] : metric_names) json[std::string(name)] = figures[metric];
-    return json;
-}
-
-PictureFigures figures_of(const JsonValue& value) {
-    PictureFigures figures;
-    figures.pixels = value["pixels"].count(), figures.fuzz_percent = value["fuzz"].number();
-    for (const auto& [name, metric] : metric_names) figures[metric] = value[std::string(name).c_str()].number();
-    return figures;
-}
 
 Json text_json(const TextDifference& text) {
     Json json = {{"line", text.line},
@@ -46,6 +35,21 @@ TextDifference text_of(const JsonValue& value) {
     return text;
 }
 
+}  // namespace
+
+Json figures_json(const PictureFigures& figures) {
+    Json json = {{"pixels", figures.pixels}, {"fuzz", figures.fuzz_percent}};
+    for (const auto& [name, metric] : metric_names) json[std::string(name)] = figures[metric];
+    return json;
+}
+
+PictureFigures figures_of(const JsonValue& value) {
+    PictureFigures figures;
+    figures.pixels = value["pixels"].count(), figures.fuzz_percent = value["fuzz"].number();
+    for (const auto& [name, metric] : metric_names) figures[metric] = value[std::string(name).c_str()].number();
+    return figures;
+}
+
 Json region_json(const DifferingRegion& r) { return {{"pixels", r.pixels}, {"box", {r.x0, r.y0, r.x1, r.y1}}, {"pixel", {r.x, r.y}}}; }
 
 DifferingRegion region_of(const JsonValue& value) {
@@ -56,8 +60,6 @@ DifferingRegion region_of(const JsonValue& value) {
     return {value["pixels"].count(), whole(box.item(0)),   whole(box.item(1)),  whole(box.item(2)),
             whole(box.item(3)),      whole(pixel.item(0)), whole(pixel.item(1))};
 }
-
-}  // namespace
 
 Json result_json(const Result& result) {
     Json json = {{"submission", result.submission}, {"test", result.test},     {"kind", name_of(kind_names, result.kind)},
@@ -108,6 +110,16 @@ void read_times(const JsonValue& value, Result& result) {
     result.wall_seconds = value["wall"].number(), result.cpu_seconds = value["cpu"].number();
     result.spread_seconds = value["spread"].number();
     result.peak_memory_bytes = static_cast<std::uint64_t>(value["peak"].number());
+}
+
+std::string json_listing(const Json& head, const char* list, const std::vector<Json>& entries) {
+    std::string text = "{";
+    for (const auto& [name, value] : head.items())
+        text += fmt::format("\n \"{}\": {},", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    text += fmt::format("\n \"{}\": [", list);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        text += fmt::format("{}\n  {}", i ? "," : "", entries[i].dump(-1, ' ', false, Json::error_handler_t::replace));
+    return text + "\n ]\n}\n";
 }
 
 std::string json_text(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n"; }

@@ -15,6 +15,13 @@ nlohmann::ordered_json times_json(const Result& result);
 Result result_of_json(const JsonValue& value);
 void read_times(const JsonValue& value, Result& result);
 
+nlohmann::ordered_json figures_json(const PictureFigures& figures);
+PictureFigures figures_of(const JsonValue& value);
+nlohmann::ordered_json region_json(const DifferingRegion& region);
+DifferingRegion region_of(const JsonValue& value);
+
+/// A JSON text: the members of `head`, and a list with one entry a line.
+std::string json_listing(const nlohmann::ordered_json& head, const char* list, const std::vector<nlohmann::ordered_json>& entries);
 /// A JSON text; what is not UTF-8 is replaced. `indent` < 0: one line.
 std::string json_text(const nlohmann::ordered_json& json, int indent);
 

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/source.h"
+#include "film/output_file.h"
 
 namespace rt {
 
@@ -15,6 +16,12 @@ void write_bytes(const std::string& path, const std::string& bytes) {
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
     if (!file) throw OutputError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+}
+
+void write_report(const std::string& path, const std::string& text) {
+    OutputFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
 }
 
 }  // namespace rt

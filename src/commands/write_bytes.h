@@ -1,4 +1,4 @@
-// Files that nobody waits for.
+// Bytes to files.
 #pragma once
 
 #include <string>
@@ -8,5 +8,8 @@ namespace rt {
 /// Writes a file at once and in place, without waiting for the disk. Throws OutputError with path and reason. What a user asked for goes
 /// through OutputFile instead, which appears whole or not at all.
 void write_bytes(const std::string& path, const std::string& bytes);
+
+/// Writes a text that a user asked for: it appears whole or not at all. Throws OutputError.
+void write_report(const std::string& path, const std::string& text);
 
 }  // namespace rt
