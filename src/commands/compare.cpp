@@ -7,6 +7,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/difference_file.h"
 #include "commands/help.h"
 #include "commands/output_name.h"
 #include "commands/text.h"
@@ -95,21 +96,11 @@ int report_sizes(const CompareJob& job, const StoredImage& a, const StoredImage&
 }
 
 void write_difference(const CompareJob& job, const StoredImage& a, const StoredImage& b) {
-    const StoredImage picture = difference_picture(a, b, job.scale);
-    Film film(picture.width, picture.height);
-    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-        const auto channel = [&](std::size_t c) { return picture.values[3 * i + c] / static_cast<float>(picture.max_value); };
-        film.pixels[i] = {channel(0), channel(1), channel(2), 0.0f};
-    }
-    Encoding as_is;
-    as_is.raw = true;
     const OutputRequest request{job.picture, false, std::nullopt, true};
     const OutputTarget target = output_target(request, job.a);
     const std::string note = note_on_name(request, target);
     if (!note.empty() && !job.quiet) write_stderr(fmt::format("raytrace: note: {}\n", note));
-    const ImageMetadata metadata{{{"Software", fmt::format("raytrace {}", program_version())},
-                                  {"Difference", fmt::format("{} {} scale={}", job.a, job.b, job.scale)}}};
-    write_image(film, target.path, target.format, as_is, metadata);
+    write_difference_picture({job.a, a}, {job.b, b}, job.scale, target.path, target.format);
 }
 
 int run(const CompareJob& job) {

@@ -15,10 +15,10 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> later_commands{"versus", "trade"};
-constexpr std::array<std::string_view, 17> available_commands{"render",    "raycast",    "sceneinfo", "pixelray", "firsthit", "pixelcolor",
+constexpr std::array<std::string_view, 1> later_commands{"trade"};
+constexpr std::array<std::string_view, 18> available_commands{"render",    "raycast",    "sceneinfo", "pixelray", "firsthit", "pixelcolor",
                                                               "printrays", "pixeltrace", "printbvh",  "requires", "compare",  "explain",
-                                                              "brdf",      "grade",      "merge",     "help",     "version"};
+                                                              "brdf",      "grade",      "merge",     "versus",   "help",     "version"};
 
 bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
 
@@ -44,6 +44,7 @@ int run_program(const Words& words) {
     if (first == "brdf") return run_brdf(rest);
     if (first == "grade") return run_grade(rest);
     if (first == "merge") return run_merge(rest);
+    if (first == "versus") return run_versus(rest);
     if (first == "help") return run_help(rest);
     if (first == "version" || first == "--version" || first == "-version") return run_version(rest);
     if (is_one_of(later_commands, first)) throw OptionError(fmt::format("'{}' is not available in this version", first));

@@ -19,6 +19,8 @@ extern const char* const grade_usage;
 extern const char* const grade_footer;
 extern const char* const merge_usage;
 extern const char* const merge_footer;
+extern const char* const versus_usage;
+extern const char* const versus_footer;
 extern const char* const brdf_usage;
 extern const char* const brdf_footer;
 extern const char* const brdf_plot_usage;

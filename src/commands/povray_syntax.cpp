@@ -37,10 +37,11 @@ bool is_ini_file(std::string_view word) {
     return word.size() > 4 && lower_case(word.substr(word.size() - 4)) == ".ini";
 }
 
-bool is_gnu_short(const std::string& word) {
-    for (const std::string ours : {"-h", "-o", "-q", "-t", "-L", "-W", "-H", "-"})
-        if (word == ours || (ours.size() == 2 && word.starts_with(ours + '='))) return true;
-    return false;
+bool is_gnu_short(const std::string& word, const std::vector<std::string>& more) {
+    const auto is_word = [&](const std::string& ours) { return word == ours || (ours.size() == 2 && word.starts_with(ours + '=')); };
+    for (const char* ours : {"-h", "-o", "-q", "-t", "-L", "-W", "-H", "-"})
+        if (is_word(ours)) return true;
+    return std::any_of(more.begin(), more.end(), is_word);
 }
 
 std::vector<std::string> known_keys() {
@@ -123,7 +124,7 @@ void Translator::command_line(const std::vector<std::string>& words) {
 bool Translator::our_option(const std::vector<std::string>& words, std::size_t& i) {
     const std::string& word = words[i];
     const bool grid = word == "-ss" || word.starts_with("-ss=");  // the course's way to write it, welcome everywhere
-    if (!grid && !word.starts_with("--") && !is_gnu_short(word)) return false;
+    if (!grid && !word.starts_with("--") && !is_gnu_short(word, own_.short_names)) return false;
     result.words.push_back(grid ? "-" + word : word);
     if (i + 1 < words.size() && own_.takes_value(result.words.back())) result.words.push_back(words[++i]);
     return true;

@@ -19,6 +19,7 @@ struct OwnOptions {
     std::vector<std::string> long_names;                  ///< every "--name"
     /// Carries out one option (its name and value in one word or two) for nobody; throws OptionError if there is a mistake in it.
     std::function<void(const std::vector<std::string>&)> try_out;
+    std::vector<std::string> short_names = {};  ///< those that a render has not, e.g. "-j", which otherwise is POV-Ray's
 };
 
 /// Turns +X and -X switches, Name=value settings and .ini files (with an optional [section]) into GNU options "--name=value". Other

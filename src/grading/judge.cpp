@@ -22,6 +22,24 @@ std::string signal_text(int signal) {
     return name ? fmt::format("ended by SIG{} ({})", name, meaning) : fmt::format("ended by signal {}", signal);
 }
 
+Outcome outcome_of(const Ending& ending) {
+    switch (ending.kind) {
+        case Ending::Kind::exited:
+            return ending.status == 0 ? Outcome::passed : Outcome::non_zero_exit;
+        case Ending::Kind::signalled:
+            return Outcome::signal;
+        case Ending::Kind::time_out:
+            return Outcome::time_out;
+        case Ending::Kind::out_of_memory:
+            return Outcome::out_of_memory;
+        case Ending::Kind::too_much_output:
+            return Outcome::too_much_output;
+        case Ending::Kind::not_started:
+            break;
+    }
+    return Outcome::not_started;
+}
+
 /// What the ending says; `passed` if it says nothing against the program.
 Result of_ending(const TestCase& test, const Ending& ending) {
     Result result;
@@ -30,30 +48,7 @@ Result of_ending(const TestCase& test, const Ending& ending) {
     result.left_processes = ending.left_processes;
     result.wall_seconds = ending.wall_seconds, result.cpu_seconds = ending.cpu_seconds;
     result.peak_memory_bytes = ending.peak_memory_bytes;
-    const auto ended = [&](Outcome outcome, std::string reason) { result.outcome = outcome, result.reason = std::move(reason); };
-    switch (ending.kind) {
-        case Ending::Kind::exited:
-            if (ending.status == 0)
-                ended(Outcome::passed, "");
-            else
-                ended(Outcome::non_zero_exit, fmt::format("exit status {}", ending.status));
-            break;
-        case Ending::Kind::signalled:
-            ended(Outcome::signal, signal_text(ending.status));
-            break;
-        case Ending::Kind::time_out:
-            ended(Outcome::time_out, fmt::format("not done within {} s", test.limits.wall_seconds));
-            break;
-        case Ending::Kind::out_of_memory:
-            ended(Outcome::out_of_memory, fmt::format("more than {} MiB of memory", test.limits.memory_bytes >> 20));
-            break;
-        case Ending::Kind::too_much_output:
-            ended(Outcome::too_much_output, fmt::format("printed more than {} KiB", test.limits.output_bytes >> 10));
-            break;
-        case Ending::Kind::not_started:
-            ended(Outcome::not_started, ending.reason);
-            break;
-    }
+    result.outcome = outcome_of(ending), result.reason = ending_reason(ending, test.limits);
     return result;
 }
 
@@ -81,6 +76,24 @@ void compare_pictures(const TestCase& test, const StoredImage& expected, const S
 }
 
 }  // namespace
+
+std::string ending_reason(const Ending& ending, const Limits& limits) {
+    switch (ending.kind) {
+        case Ending::Kind::exited:
+            return ending.status == 0 ? "" : fmt::format("exit status {}", ending.status);
+        case Ending::Kind::signalled:
+            return signal_text(ending.status);
+        case Ending::Kind::time_out:
+            return fmt::format("not done within {} s", limits.wall_seconds);
+        case Ending::Kind::out_of_memory:
+            return fmt::format("more than {} MiB of memory", limits.memory_bytes >> 20);
+        case Ending::Kind::too_much_output:
+            return fmt::format("printed more than {} KiB", limits.output_bytes >> 10);
+        case Ending::Kind::not_started:
+            break;
+    }
+    return ending.reason;
+}
 
 PictureFigures picture_figures(const StoredImage& expected, const StoredImage& actual, double fuzz_percent) {
     PictureFigures figures;

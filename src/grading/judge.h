@@ -13,6 +13,9 @@ struct Written {
     StoredImage image;
 };
 
+/// What an ending says against a program, in words; empty if it ended by itself with status 0.
+std::string ending_reason(const Ending& ending, const Limits& limits);
+
 /// Every figure of difference. Both pictures have the same size.
 PictureFigures picture_figures(const StoredImage& expected, const StoredImage& actual, double fuzz_percent);
 

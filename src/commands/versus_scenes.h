@@ -1,0 +1,20 @@
+// The scenes of a comparison.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+struct VersusScene {
+    std::string name;          ///< of an argument's folder and where it lies in it: "pov/shading/vases"
+    std::string path;          ///< absolute
+    std::string visible;       ///< the folder around it that programs see
+    std::string surroundings;  ///< fingerprint of what lies beside it and may be read: files of its folder that are no scenes
+};
+
+/// Each argument's scene, or every *.pov below it, in the order of names; `only` (a regular expression, may be empty) is for names. What
+/// lies in `output` or in hidden folders is none. Throws OptionError for what is not there and if nothing is left.
+std::vector<VersusScene> scenes_of(const std::vector<std::string>& arguments, const std::string& only, const std::string& output);
+
+}  // namespace rt

@@ -1,0 +1,44 @@
+// What all scenes of a comparison share, and the command lines that follow from it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/render_job.h"
+#include "commands/versus_result.h"
+#include "grading/sandbox.h"
+
+namespace rt {
+
+struct VersusSettings {
+    std::vector<std::string> words;  ///< the picture's settings as options of ours, e.g. --width=640
+    RenderJob job;                   ///< what they mean
+    int threads = 1;                 ///< of each program
+    bool alone = true;               ///< one scene at a time: times are fair
+    bool fresh = false;              ///< POV-Ray's known pictures are not taken
+    std::string program;             ///< this one
+    std::string povray;              ///< path of the program
+    std::string version;             ///< what it says it is
+    std::string folder;              ///< of the output
+    Containment containment;
+    Limits limits;
+    VersusLimits agreement;
+};
+
+/// The words as a job. Throws OptionError for a mistake in one of them.
+RenderJob job_of_words(const std::vector<std::string>& words);
+
+/// "povray +I... +Opovray.png ..." and "raytrace ... -o same.png": each works in any folder and writes its picture there.
+std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene);
+std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker);
+/// "povray.png", "same.png", "general.png".
+std::string picture_name(Maker maker);
+
+/// The absolute path of POV-Ray: `named` if it is not empty, else the first one in $PATH. Throws OptionError that says how to install it.
+std::string find_povray(const std::string& named);
+
+/// A program of ours or POV-Ray, contained: it sees `visible` and its own settings, and writes into `folder`.
+Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const std::string& folder,
+                       const std::vector<std::string>& visible, int slot);
+
+}  // namespace rt
