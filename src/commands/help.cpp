@@ -12,8 +12,8 @@ namespace rt {
 
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
-    "Commands: requires compare versus explain grade merge brdf help version. Topics of\n"
-    "help: povray scene shading edges sampling output course suite pixel versus exit";
+    "Commands: requires compare versus explain grade merge brdf version; help on\n"
+    "povray scene shading edges sampling output course suite pixel versus exit";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -47,7 +47,7 @@ Exit status: 0, or 1 if one program is graded and a required test failed.)";
 const char* const merge_usage = "Usage: raytrace merge [OPTION...] DIR...\nJoins the results of a grading's shards: DIR are their outputs.";
 const char* const merge_footer = "Results stand in the order of one run; reports are the same bytes.";
 const char* const versus_usage =
-    "Usage: raytrace versus [OPTION...] SCENE|FOLDER...\nPOV-Ray and this program on the same scenes with the same settings, side by side.";
+    "Usage: raytrace versus [OPTION...] SCENE|FOLDER...\nPOV-Ray and this program on the same scenes with the same settings.";
 const char* const versus_footer =
     R"(POV-Ray's switches (+W320 +A0.3 +Ldir +WT2) work, too. See raytrace help versus.
 Exit status: 0 all agree, 1 some do not, 2 interrupted, 3 not written, 4 nothing
@@ -260,23 +260,23 @@ constexpr const char* exit_topic =
 constexpr const char* versus_topic =
     R"(raytrace versus pov/ -W 320 -H 240 --aa 2
 
-Each scene is rendered by POV-Ray, by this program with --shading povray (same)
-and by this program as it is (general): size, anti-aliasing, threads, -L, --define
-and clock go to all three, in the commands that the reports hold, to be copied.
-8-bit pictures are compared as they are shown. A scene agrees if 98 % of the
-pixels lie within 2 of 255 in every channel and the RMSE is below 0.01 (--percent
---step --rmse); what both refuse agrees as well.
+POV-Ray renders each scene, then this program with --shading povray (same), then
+as it is (general). Size, anti-aliasing, threads, -L, --define and clock go to
+all, in commands that the reports hold, to be copied. 8-bit pictures are
+compared as they are shown: a scene agrees if 98 % of the pixels lie within 2 of
+255 in every channel and the RMSE is below 0.01 (--percent, --step, --rmse).
+What both refuse agrees as well.
 
 The table is worst first, by cause: what differs, and where; what failed; what
-only we refuse; what is not modelled, with the features by the scenes they would
-gain; what only POV-Ray refuses. Ctrl-C reports what is done.
+we alone refuse; what is not modelled, and which features would gain most
+scenes; what POV-Ray alone refuses. Ctrl-C reports what is done.
 
-In the output folder: results.json (the same bytes for the same pictures),
-times.json, results.csv, and pictures/SCENE with povray.png, same.png, general.png
-and their differences times 8. POV-Ray's pictures are kept in known/ by the
-content of scene, includes and files beside it: it does not run again until one of
-them, the settings or its version changes, or with --fresh. Programs see the
-folder around an argument and what -L names; they write nowhere else.
+The output folder: results.json (the same bytes for the same pictures),
+times.json, results.csv, pictures/SCENE/ with povray.png, same.png, general.png
+and differences times 8. POV-Ray's pictures are kept in known/: it does not run
+again until the scene, its includes, a file in its folder that is no scene, the
+settings or POV-Ray's version change, or with --fresh. Both programs see the
+folder around each argument and those of -L, and write nowhere else.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {

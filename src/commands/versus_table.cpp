@@ -15,6 +15,9 @@ constexpr std::size_t longest_message = 160;
 
 std::string first_line(const std::string& text) { return printable(text.substr(0, text.find('\n')), longest_message); }
 
+/// Names of files may hold anything.
+std::string name_text(const VersusResult& result) { return printable(result.name, longest_message); }
+
 std::string colour_text(const std::array<int, 3>& colour) { return fmt::format("{} {} {}", colour[0], colour[1], colour[2]); }
 
 /// "99.98  0.0012  0.000  0.0003  0.0001", or as wide a blank.
@@ -53,7 +56,7 @@ std::string messages_text(const VersusResult& result) {
 
 std::string scene_text(const VersusResult& result, const VersusLimits& limits, std::size_t width) {
     const std::optional<Likeness>& general = result.like(Maker::general);
-    std::string text = fmt::format("  {:<{}} {}", result.name, width, figures_text(result.like(Maker::same)));
+    std::string text = fmt::format("  {:<{}} {}", name_text(result), width, figures_text(result.like(Maker::same)));
     text += general ? fmt::format("{:>8.2f} %", general->percent_within()) : fmt::format("{:>10}", "");
     for (const VersusRun& run : result.runs) text += seconds_text(run);
     while (text.ends_with(' ')) text.pop_back();
@@ -68,7 +71,8 @@ std::string missing_line(const VersusResult& result, std::size_t width) {
     for (const MissingFeature& missing : result.missing)
         if (std::find(names.begin(), names.end(), missing.name) == names.end()) names.push_back(missing.name);
     const MissingFeature& first = result.missing.front();
-    return fmt::format("  {:<{}} {} ({}:{}:{})\n", result.name, width, fmt::join(names, ", "), first.file, first.line, first.column);
+    return fmt::format("  {:<{}} {} ({}:{}:{})\n", name_text(result), width, fmt::join(names, ", "), printable(first.file, longest_message),
+                       first.line, first.column);
 }
 
 std::string gains_text(const std::vector<VersusResult>& results) {
@@ -112,7 +116,7 @@ std::string closing_text(const VersusRecord& record) {
 
 std::string versus_table_text(const VersusRecord& record) {
     std::size_t width = 5;
-    for (const VersusResult& result : record.results) width = std::max(width, result.name.size());
+    for (const VersusResult& result : record.results) width = std::max(width, name_text(result).size());
     std::string text = fmt::format("  {:<{}} {:<43}{:>9}{:>25}\n", "", width, "with POV-Ray's shading", "general", "wall clock, s");
     text += fmt::format("  {:<{}} {:>9}  {:<6}  {:<6}  {:<6}  {:<6} {:>10}{:>8}{:>8}{:>8}\n", "scene", width, "within", "rmse", "p99",
                         "flip", "3x3", "within", "POV-Ray", "same", "general");
