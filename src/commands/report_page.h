@@ -32,7 +32,9 @@ struct ReportRow {
     ///     tag          a word behind the name
     ///     href         address of a page of its own, relative
     ///     reason, cause, explanation, command, output, output_note    texts
+    ///     commands     [[whose, text], ...] instead of one command
     ///     facts        [[name, text], ...]
+    ///     phases       [[program, [[phase, seconds], ...]], ...], the same phases for all
     ///     lines        of two texts side by side: [[number, text, number, text, [differing fields]], ...], numbers 0 where a line is
     ///     missing lines_note   how they were compared region       {box: [x0, y0, x1, y1] with its ends excluded, pixel: [x, y], pixels},
     ///     from the top left

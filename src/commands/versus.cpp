@@ -84,6 +84,15 @@ void define(CommandLine& line, VersusJob& job) {
     line.flag("-q,--quiet", "no notes, no progress, no table", [&] { job.quiet = true; });
 }
 
+/// Gives the size that was not asked for its default.
+void settle_size(Words& words) {
+    const auto is_asked = [&](std::string_view option) {
+        return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return word.starts_with(option); });
+    };
+    for (const auto& [option, word] : {std::pair("--height=", "--height=480"), std::pair("--width=", "--width=640")})
+        if (!is_asked(option) && !is_asked("--size=")) words.insert(words.begin(), word);
+}
+
 /// Words in any of the ways to write a render. Returns the help's text, or nothing.
 std::string read_words(const Words& words, VersusJob& job) {
     CommandLine line(versus_usage, versus_footer), trial_line(versus_usage, versus_footer);
@@ -94,11 +103,11 @@ std::string read_words(const Words& words, VersusJob& job) {
                                                              .long_names = line.long_names(),
                                                              .try_out = [&](const Words& option) { trial_line.parse(option); },
                                                              .short_names = {"-j"}});
-    job.settings.words = {"--width=640", "--height=480"};
     const Words scenes = line.parse(translation.words);
     if (line.help_asked()) return line.help();
     job.scenes.insert(job.scenes.end(), scenes.begin(), scenes.end());
     if (job.scenes.empty()) throw OptionError("versus: expected scenes or folders; see raytrace versus --help");
+    settle_size(job.settings.words);
     job.settings.job = job_of_words(job.settings.words);
     std::vector<std::string>& notes = job.settings.job.notes;
     notes.insert(notes.end(), translation.notes.begin(), translation.notes.end());

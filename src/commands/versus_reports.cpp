@@ -10,6 +10,7 @@
 #include "commands/csv_field.h"
 #include "commands/result_json.h"
 #include "commands/versus_json.h"
+#include "commands/versus_page.h"
 #include "commands/write_bytes.h"
 #include "grading/result_names.h"
 
@@ -130,6 +131,7 @@ void write_versus_reports(const VersusRecord& record, const std::string& folder)
     write_report((place / "results.json").string(), versus_results_text(record));
     write_report((place / "times.json").string(), versus_times_text(record));
     write_report((place / "results.csv").string(), versus_csv_text(record));
+    write_report((place / "report.html").string(), versus_page_text(record, folder));
 }
 
 }  // namespace rt

@@ -36,7 +36,7 @@ std::string versus_csv_text(const VersusRecord& record);
 /// For a terminal: the scenes worst first, grouped by cause, what is not modelled by its gain, and a closing count.
 std::string versus_table_text(const VersusRecord& record);
 
-/// Writes results.json, times.json and results.csv into `folder`.
+/// Writes results.json, times.json, results.csv and report.html (versus_page.h) into `folder`.
 void write_versus_reports(const VersusRecord& record, const std::string& folder);
 
 }  // namespace rt

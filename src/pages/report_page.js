@@ -12,11 +12,12 @@ async function copyText(element, told) {
   }
 }
 
-function commandElement(command) {
-  const code = make("code", { id: "command" }, command);
+function commandElement(command, title = null) {
+  const code = make("code", { id: title ? null : "command" }, command);
   const told = make("output", { class: "hint" });
-  return make("section", { class: "card", "aria-label": "Command" },
-    make("div", { class: "bar" }, make("h3", {}, "Command"), pressable("Copy", { id: "copy" }, () => copyText(code, told)), told),
+  const copy = pressable("Copy", { id: title ? null : "copy", "aria-label": title ? `Copy the command of ${title}` : null }, () => copyText(code, told));
+  return make("section", { class: "card command", "aria-label": title ? `Command of ${title}` : "Command" },
+    make("div", { class: "bar" }, make("h3", {}, title ?? "Command"), copy, told),
     code,
   );
 }
@@ -55,7 +56,9 @@ function showRow(index) {
   showCause(byId("row-cause"), row);
   showLines(byId("lines"), row);
   byId("told").replaceChildren(
+    row.phases?.length ? phasesElement(row.phases) : "",
     row.command ? commandElement(row.command) : "",
+    ...(row.commands ?? []).map(([title, command]) => commandElement(command, title)),
     row.facts ? factsElement(row.facts) : "",
     row.output ? outputElement(row) : "",
   );
