@@ -272,11 +272,12 @@ we alone refuse; what is not modelled, and which features would gain most
 scenes; what POV-Ray alone refuses. Ctrl-C reports what is done.
 
 The output folder: results.json (the same bytes for the same pictures),
-times.json, results.csv, pictures/SCENE/ with povray.png, same.png, general.png
-and differences times 8. POV-Ray's pictures are kept in known/: it does not run
-again until the scene, its includes, a file in its folder that is no scene, the
-settings or POV-Ray's version change, or with --fresh. Both programs see the
-folder around each argument and those of -L, and write nowhere else.
+times.json, results.csv, report.html (a page of all that), pictures/SCENE/ with
+povray.png, same.png, general.png and differences times 8. POV-Ray's are kept in
+known/: it does not run again until the scene, its includes, a file in its folder
+that is no scene, the settings or POV-Ray's version change, or with --fresh. All
+run in the scene's folder, see the folder around each argument and those of -L,
+and write nowhere else.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {

@@ -133,7 +133,7 @@ void settle(VersusJob& job) {
     if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", job.folder, error.message()));
     settings.folder = fs::canonical(job.folder).string();
     const RunPlace place;
-    const Ending ending = run_program_for(settings, {settings.povray, "--version"}, place.folder(), {}, 0);
+    const Ending ending = run_program_for(settings, {settings.povray, "--version"}, {place.folder(), place.folder(), {}}, 0);
     settings.version = povray_version(ending.output);
     if (settings.version.empty())
         throw OptionError(fmt::format("'{}' is not POV-Ray: --version prints no version of it{}{}", settings.povray,

@@ -95,9 +95,10 @@ Json phases_of(const VersusResult& result) {
     return programs;
 }
 
-std::string command_text(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += fmt::format("{}{}", text.empty() ? "" : " ", shell_word(word));
+/// It writes the picture that this page shows.
+std::string command_text(const std::string& scene, const std::vector<std::string>& words) {
+    std::string text = fmt::format("cd {} &&", shell_word(fs::path(scene).parent_path().string()));
+    for (const std::string& word : words) text += fmt::format(" {}", shell_word(word));
     return text;
 }
 
@@ -118,7 +119,7 @@ ReportRow row_of(const VersusResult& result, const VersusLimits& limits, const s
         const fs::path path = fs::path(folder) / "pictures" / result.name / fmt::format("{}.png", name);
         row.pictures.push_back(
             {std::string(title_of(maker)), done ? path.string() : "", done ? "" : name_of(run_state_names, run.state).data()});
-        if (!run.command.empty()) commands.push_back({title_of(maker), command_text(run.command)});
+        if (!run.command.empty()) commands.push_back({title_of(maker), command_text(result.path, run.command)});
         if (!run.message.empty() && reason.find(run.message) == reason.npos)
             reason += fmt::format("{}{}: {}", reason.empty() ? "" : "\n", title_of(maker), run.message);
     }

@@ -27,10 +27,10 @@ struct VersusRun {
         failed    ///< it was ended, or ended without picture and message
     };
     State state = State::not_run;
-    std::vector<std::string> command;
-    std::string message;             ///< of `refused` and `failed`
-    std::uint64_t rays = 0;          ///< from the camera, mirrored and transmitted, as the program counts them
-    std::uint64_t shadow_tests = 0;  ///< as the program counts them: POV-Ray an object that a ray is tried with, we a ray
+    std::vector<std::string> command;  ///< run in the scene's folder
+    std::string message;               ///< of `refused` and `failed`
+    std::uint64_t rays = 0;            ///< from the camera, mirrored and transmitted, as the program counts them
+    std::uint64_t shadow_tests = 0;    ///< as the program counts them: POV-Ray an object that a ray is tried with, we a ray
     // Times
     bool alone = false;  ///< nothing of ours ran beside it
     int threads = 0;

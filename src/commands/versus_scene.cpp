@@ -45,7 +45,7 @@ public:
 
     VersusResult run() {
         const Reading reading = read();
-        result_.missing = reading.missing;
+        result_.missing = reading.missing, draws_edges_ = reading.draws_edges;
         const std::string key = content_key(reading);
         if (settings_.fresh || !take_known(key)) run_povray(key);
         for (const Maker maker : {Maker::same, Maker::general}) run_ours(maker, reading);
@@ -58,7 +58,7 @@ private:
     std::string place_of(const std::string& name) const { return (fs::path(pictures_of(settings_, scene_)) / name).string(); }
 
     Ending run_in(const std::string& folder, const std::vector<std::string>& command) const {
-        return run_program_for(settings_, command, folder, {scene_.visible}, slot_);
+        return run_program_for(settings_, command, {folder, fs::path(scene_.path).parent_path().string(), {scene_.visible}}, slot_);
     }
 
     /// By `raytrace requires`, contained as the others: a scene may never end.
@@ -89,7 +89,7 @@ private:
         std::string rule = fmt::format("{}\n{}\n{}\n", settings_.version, hash_of_file(scene_.path), scene_.surroundings);
         VersusSettings nameless = settings_;
         nameless.povray.clear(), nameless.threads = 0, nameless.job.parse.library_paths.clear();
-        for (const std::string& word : povray_command(nameless, "/scene.pov")) rule += word + "\n";
+        for (const std::string& word : povray_command(nameless, "/scene.pov", "")) rule += word + "\n";
         for (const std::string& path : settings_.job.parse.library_paths) rule += path + "\n";
         for (const std::string& include : reading.includes) rule += fmt::format("{}\n", hash_of_file(include));
         return hash_of(rule);
@@ -109,7 +109,7 @@ private:
             return false;
         }
         // Where it lies now, which may be another place.
-        run.command = povray_command(settings_, scene_.path);
+        run.command = command_for(Maker::povray, place_of(picture_name(Maker::povray)));
         if (run.state == VersusRun::State::done) {
             const std::optional<std::string> picture = read_file_text(known_.path(key, "picture.png"), most_bytes);
             if (!picture) return false;
@@ -119,12 +119,19 @@ private:
         return true;
     }
 
+    std::vector<std::string> command_for(Maker maker, const std::string& picture) const {
+        if (maker == Maker::povray) return povray_command(settings_, scene_.path, picture);
+        std::vector<std::string> command = our_command(settings_, scene_.path, maker, picture);
+        if (maker == Maker::same && draws_edges_) command.emplace_back("--edges=off");
+        return command;
+    }
+
     /// Runs one of the programs and keeps its picture.
-    Ending run_maker(Maker maker, const std::vector<std::string>& command) {
+    Ending run_maker(Maker maker) {
         VersusRun& run = result_.run(maker);
         const RunPlace place;
-        const Ending ending = run_in(place.folder(), command);
-        run.command = command, run.alone = settings_.alone, run.threads = settings_.threads;
+        const Ending ending = run_in(place.folder(), command_for(maker, (fs::path(place.folder()) / picture_name(maker)).string()));
+        run.command = command_for(maker, place_of(picture_name(maker))), run.alone = settings_.alone, run.threads = settings_.threads;
         run.wall_seconds = ending.wall_seconds, run.cpu_seconds = ending.cpu_seconds, run.peak_memory_bytes = ending.peak_memory_bytes;
         run.state = VersusRun::State::failed;
         run.message = ending_reason(ending, settings_.limits);
@@ -140,7 +147,7 @@ private:
     }
 
     void run_povray(const std::string& key) {
-        const Ending ending = run_maker(Maker::povray, povray_command(settings_, scene_.path));
+        const Ending ending = run_maker(Maker::povray);
         VersusRun& run = result_.run(Maker::povray);
         read_povray_statistics(ending.output, run);
         const std::string message = povray_message(ending.output);
@@ -155,16 +162,14 @@ private:
     }
 
     void run_ours(Maker maker, const Reading& reading) {
-        std::vector<std::string> command = our_command(settings_, scene_.path, maker);
-        if (maker == Maker::same && reading.draws_edges) command.emplace_back("--edges=off");
         VersusRun& run = result_.run(maker);
         if (!reading.missing.empty()) {
             const MissingFeature& first = reading.missing.front();
-            run.command = command, run.state = VersusRun::State::refused;
+            run.command = command_for(maker, place_of(picture_name(maker))), run.state = VersusRun::State::refused;
             run.message = fmt::format("{}:{}:{}: {} is not modelled", first.file, first.line, first.column, first.name);
             return;
         }
-        const Ending ending = run_maker(maker, command);
+        const Ending ending = run_maker(maker);
         read_our_statistics(ending.output, run);
         // Statuses 1 and 4 are about the scene: a mistake in it, or a limit of ours.
         if (ending.kind != Ending::Kind::exited || (ending.status != 1 && ending.status != 4)) return;
@@ -192,6 +197,7 @@ private:
     const VersusScene& scene_;
     const EntryStore& known_;
     int slot_;
+    bool draws_edges_ = false;
     VersusResult result_;
 };
 

@@ -48,17 +48,11 @@ RenderJob job_of_words(const std::vector<std::string>& words) {
     return parse_render_arguments(line, help).value();
 }
 
-std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene) {
+std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene, const std::string& picture) {
     const RenderJob& job = settings.job;
-    std::vector<std::string> words = {settings.povray,
-                                      "+I" + scene,
-                                      "+O" + picture_name(Maker::povray),
-                                      fmt::format("+W{}", job.width),
-                                      fmt::format("+H{}", job.height),
-                                      "+FN8",
-                                      "-D",
-                                      "-V",
-                                      fmt::format("+WT{}", settings.threads)};
+    std::vector<std::string> words = {
+        settings.povray, "+I" + scene, "+O" + picture, fmt::format("+W{}", job.width),        fmt::format("+H{}", job.height),
+        "+FN8",          "-D",         "-V",           fmt::format("+WT{}", settings.threads)};
     add_sampling(job.sampling, words);
     words.push_back("+L" + fs::path(scene).parent_path().string());
     for (const std::string& path : job.parse.library_paths) words.push_back("+L" + path);
@@ -68,12 +62,12 @@ std::vector<std::string> povray_command(const VersusSettings& settings, const st
     return words;
 }
 
-std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker) {
+std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker, const std::string& picture) {
     std::vector<std::string> words = {settings.program, scene};
     words.insert(words.end(), settings.words.begin(), settings.words.end());
     words.push_back(fmt::format("--threads={}", settings.threads));
     if (maker == Maker::same) words.emplace_back("--shading=povray");
-    words.insert(words.end(), {"--stats", "-o", picture_name(maker)});
+    words.insert(words.end(), {"--stats", "-o", picture});
     return words;
 }
 
@@ -93,12 +87,11 @@ std::string find_povray(const std::string& named) {
         "A program that is not in $PATH is named by --povray PROGRAM");
 }
 
-Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const std::string& folder,
-                       const std::vector<std::string>& visible, int slot) {
+Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const VersusPlace& place, int slot) {
     ContainedRun run;
     run.command = command;
-    run.folder = run.working_folder = folder;
-    run.readable = visible;
+    run.folder = place.folder, run.working_folder = place.working_folder;
+    run.readable = place.visible;
     run.readable.push_back(command.front());
     run.readable.insert(run.readable.end(), settings.job.parse.library_paths.begin(), settings.job.parse.library_paths.end());
     std::error_code none;

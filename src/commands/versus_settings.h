@@ -28,17 +28,24 @@ struct VersusSettings {
 /// The words as a job. Throws OptionError for a mistake in one of them.
 RenderJob job_of_words(const std::vector<std::string>& words);
 
-/// "povray +I... +Opovray.png ..." and "raytrace ... -o same.png": each works in any folder and writes its picture there.
-std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene);
-std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker);
+/// "povray +I... +O..." and "raytrace ... -o ..." for a scene and the file of its picture. They are run in the scene's folder: there
+/// POV-Ray finds what a scene includes before it looks into its own folders, which hold files of usual names.
+std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene, const std::string& picture);
+std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker, const std::string& picture);
 /// "povray.png", "same.png", "general.png".
 std::string picture_name(Maker maker);
 
 /// The absolute path of POV-Ray: `named` if it is not empty, else the first one in $PATH. Throws OptionError that says how to install it.
 std::string find_povray(const std::string& named);
 
-/// A program of ours or POV-Ray, contained: it sees `visible` and its own settings, and writes into `folder`.
-Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const std::string& folder,
-                       const std::vector<std::string>& visible, int slot);
+/// Where a program runs.
+struct VersusPlace {
+    std::string folder;          ///< may be written
+    std::string working_folder;  ///< that, or one it sees
+    std::vector<std::string> visible;
+};
+
+/// A program of ours or POV-Ray, contained: besides its place it sees its own settings and the folders of includes.
+Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const VersusPlace& place, int slot);
 
 }  // namespace rt

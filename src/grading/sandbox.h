@@ -27,7 +27,7 @@ struct Limits {
 struct ContainedRun {
     std::vector<std::string> command;   ///< program (absolute path that it can see) and its arguments
     std::string folder;                 ///< absolute; may be written
-    std::string working_folder;         ///< absolute; `folder` or one in it
+    std::string working_folder;         ///< absolute; `folder`, one in it, or one that it can read
     std::vector<std::string> readable;  ///< absolute paths of files and folders
     std::vector<std::string> hidden;    ///< absolute paths that are empty for it even if they lie in a readable folder
 };

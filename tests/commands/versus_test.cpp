@@ -82,16 +82,16 @@ VersusSettings settings(const std::vector<std::string>& words) {
 TEST(VersusCommands, BothSayTheSame) {
     const VersusSettings s = settings({"--width=64", "--height=48", "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3", "--define=T=3a",
                                        "--clock=0.5", "--language=3.6"});
-    EXPECT_THAT(povray_command(s, "/a/b.pov"),
-                ElementsAre("/usr/bin/povray", "+I/a/b.pov", "+Opovray.png", "+W64", "+H48", "+FN8", "-D", "-V", "+WT2", "+A0.1", "+AM2",
-                            "+R4", "-J", "+L/a", "+L/lib dir", "Declare=N=3", "Declare=T=\"3a\"", "+K0.5", "+MV3.6"));
+    EXPECT_THAT(povray_command(s, "/a/b.pov", "/out/povray.png"),
+                ElementsAre("/usr/bin/povray", "+I/a/b.pov", "+O/out/povray.png", "+W64", "+H48", "+FN8", "-D", "-V", "+WT2", "+A0.1",
+                            "+AM2", "+R4", "-J", "+L/a", "+L/lib dir", "Declare=N=3", "Declare=T=\"3a\"", "+K0.5", "+MV3.6"));
     EXPECT_THAT(
-        our_command(s, "/a/b.pov", Maker::same),
+        our_command(s, "/a/b.pov", Maker::same, "same.png"),
         ElementsAre("/p/raytrace", "/a/b.pov", "--width=64", "--height=48", "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3",
                     "--define=T=3a", "--clock=0.5", "--language=3.6", "--threads=2", "--shading=povray", "--stats", "-o", "same.png"));
-    EXPECT_THAT(our_command(settings({}), "/b.pov", Maker::general),
+    EXPECT_THAT(our_command(settings({}), "/b.pov", Maker::general, "general.png"),
                 ElementsAre("/p/raytrace", "/b.pov", "--threads=2", "--stats", "-o", "general.png"));
-    EXPECT_THAT(povray_command(settings({"--width=8"}), "/b.pov"), testing::Contains("-A"));
+    EXPECT_THAT(povray_command(settings({"--width=8"}), "/b.pov", ""), testing::Contains("-A"));
 }
 
 /// 10 x 10 grey pixels, the first `count` of them brighter by `step`.

@@ -37,7 +37,7 @@ class VersusPage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="raytrace_versus_page_")
-        place = pathlib.Path(cls.folder.name)
+        place = cls.place = pathlib.Path(cls.folder.name)
         scenes = {
             "same.pov": SCENE,
             "moved.pov": SCENE.replace("-4*z", "<0.5, 0, -4>"),
@@ -102,7 +102,7 @@ class VersusPage(unittest.TestCase):
     def test_commands_are_those_that_were_run(self):
         self.show("scenes/same")
         scene = next(s for s in self.results["scenes"] if s["scene"] == "scenes/same")
-        self.assertEqual(self.all(".command code"), [" ".join(scene[who]["command"]) for who in ("povray", "same", "general")])
+        self.assertEqual(self.all(".command code"), [f"cd {self.place}/scenes && " + " ".join(scene[who]["command"]) for who in ("povray", "same", "general")])
 
     def test_what_is_not_modelled_says_where(self):
         self.show("scenes/two")
