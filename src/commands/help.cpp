@@ -260,11 +260,11 @@ constexpr const char* exit_topic =
 constexpr const char* versus_topic =
     R"(raytrace versus pov/ -W 320 -H 240 --aa 2
 
-POV-Ray renders each scene, then this program with --shading povray (same), then
-as it is (general). Size, anti-aliasing, threads, -L, --define and clock go to
-all, in commands that the reports hold, to be copied. 8-bit pictures are
-compared as they are shown: a scene agrees if 98 % of the pixels lie within 2 of
-255 in every channel and the RMSE is below 0.01 (--percent, --step, --rmse).
+POV-Ray renders each scene, then this program with --shading povray (same),
+then as it is (general). Size, anti-aliasing, threads, -L, --define and clock
+go to all, in commands that the reports hold, to be copied. 8-bit pictures are
+compared as they are shown: a scene agrees if 98 % of the pixels lie within 2
+of 255 in every channel and the RMSE is below 0.01 (--percent, --step, --rmse).
 What both refuse agrees as well.
 
 The table is worst first, by cause: what differs, and where; what failed; what
@@ -273,11 +273,11 @@ scenes; what POV-Ray alone refuses. Ctrl-C reports what is done.
 
 The output folder: results.json (the same bytes for the same pictures),
 times.json, results.csv, report.html (a page of all that), pictures/SCENE/ with
-povray.png, same.png, general.png and differences times 8. POV-Ray's are kept in
-known/: it does not run again until the scene, its includes, a file in its folder
-that is no scene, the settings or POV-Ray's version change, or with --fresh. All
-run in the scene's folder, see the folder around each argument and those of -L,
-and write nowhere else.
+povray.png, same.png, general.png and differences times 8. POV-Ray's are kept
+in known/: it does not run again until the scene, its includes, a file in its
+folder that is no scene, the settings or POV-Ray's version change, or with
+--fresh. All run in the scene's folder, see the folder around each argument and
+those of -L, and write nowhere else.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
