@@ -4,10 +4,14 @@
 
 #include <functional>
 
+#include "commands/encoding.h"
+#include "commands/job_steps.h"
 #include "commands/result_json.h"
+#include "commands/test_job.h"
 #include "grading/judge.h"
 #include "grading/mutations.h"
 #include "syntax/file_text.h"
+#include "trace/render.h"
 
 namespace rt {
 
@@ -15,17 +19,72 @@ namespace {
 
 constexpr std::size_t most_bytes = 1u << 28;
 
+struct WrongPicture {
+    StoredImage image;
+    bool same;  ///< as the right one: the mistake changes nothing in it
+};
+
 struct PictureMistake {
     const char* name;
-    /// The wrong picture; empty if it cannot be made for this test.
-    std::function<std::optional<StoredImage>(const Suite& suite, const TestCase& test, const StoredImage& right)> make;
+    /// Empty if it cannot be made for this test.
+    std::function<std::optional<WrongPicture>(const Suite& suite, const TestCase& test, const StoredImage& right)> make;
 };
+
+PictureMistake by_picture(const char* name, StoredImage (*change)(const StoredImage& right)) {
+    return {name, [change](const Suite&, const TestCase&, const StoredImage& right) {
+                StoredImage image = change(right);
+                const bool same = image.values == right.values;
+                return std::optional(WrongPicture{std::move(image), same});
+            }};
+}
+
+StoredImage rendered(const RenderJob& job, const Scene& scene) {
+    const World world = build_world(job, scene, message_sink(true));
+    const RenderResult result = render(world, render_options(job, scene));
+    Encoding encoding = encoding_of(job, scene.settings.gamma);
+    encoding.bits = 8;
+    StoredImage image{job.width, job.height, 3, 255, {}};
+    for (const Pixel& p : result.film.pixels)
+        for (const float channel : {p.r, p.g, p.b}) image.values.push_back(static_cast<float>(quantise(channel, encoding)));
+    return image;
+}
+
+/// Our own picture of a test with one thing changed. None if the test is no render of ours, or one of random light, which takes long.
+PictureMistake by_scene(const char* name, bool (*change)(RenderJob& job, Scene& scene)) {
+    return {name, [change](const Suite& suite, const TestCase& test, const StoredImage&) -> std::optional<WrongPicture> {
+                try {
+                    std::optional<RenderJob> job = job_of_test(test.arguments, suite.inputs);
+                    if (!job || !job->course->indirect_samples.empty()) return std::nullopt;
+                    job->threads = 0;
+                    Scene scene = read_scene(*job, message_sink(true));
+                    const StoredImage ours = rendered(*job, scene);
+                    if (!change(*job, scene)) return std::nullopt;
+                    StoredImage image = rendered(*job, scene);
+                    const bool same = image.values == ours.values;
+                    return WrongPicture{std::move(image), same};
+                } catch (const std::runtime_error&) {  // a scene or an option that is not ours
+                    return std::nullopt;
+                }
+            }};
+}
+
+bool drop_shadows(RenderJob& job, Scene& scene) {
+    for (Object& object : scene.objects) object.no_shadow = true;
+    return job.course->show == CourseShow::shaded;
+}
+
+bool drop_antialiasing(RenderJob& job, Scene&) {
+    const bool smooth = job.sampling.method == Sampling::Method::grid && job.sampling.depth > 1;
+    job.sampling = {};
+    return smooth;
+}
 
 const std::vector<PictureMistake>& picture_mistakes() {
     static const std::vector<PictureMistake> mistakes{
-        {"5 % darker", [](const Suite&, const TestCase&, const StoredImage& right) { return scaled(right, 0.95); }},
-        {"mirrored", [](const Suite&, const TestCase&, const StoredImage& right) { return mirrored(right); }},
-        {"moved by a pixel", [](const Suite&, const TestCase&, const StoredImage& right) { return shifted(right, 1, 0); }}};
+        by_picture("5 % darker", [](const StoredImage& right) { return scaled(right, 0.95); }),
+        by_picture("mirrored", [](const StoredImage& right) { return mirrored(right); }),
+        by_picture("moved by a pixel", [](const StoredImage& right) { return shifted(right, 1, 0); }),
+        by_scene("without shadows", drop_shadows), by_scene("without anti-aliasing", drop_antialiasing)};
     return mistakes;
 }
 
@@ -47,10 +106,10 @@ void note(AuditLine& line, const TestCase& test, const Result& result, bool same
 void audit_picture(const Suite& suite, const TestCase& test, std::vector<AuditLine>& lines) {
     const StoredImage right = read_image(test.expected);
     for (std::size_t i = 0; i < picture_mistakes().size(); ++i) {
-        const std::optional<StoredImage> wrong = picture_mistakes()[i].make(suite, test, right);
+        const std::optional<WrongPicture> wrong = picture_mistakes()[i].make(suite, test, right);
         if (!wrong) continue;
-        const Result result = judge_picture(test, good_ending(""), {Written::State::picture, "", *wrong}, right);
-        note(lines[i], test, result, wrong->values == right.values);
+        const Result result = judge_picture(test, good_ending(""), {Written::State::picture, "", wrong->image}, right);
+        note(lines[i], test, result, wrong->same);
     }
 }
 

@@ -1,10 +1,9 @@
 #include "commands/scene_samples.h"
 
 #include <algorithm>
-#include <filesystem>
 
-#include "commands/course_arguments.h"
 #include "commands/job_steps.h"
+#include "commands/test_job.h"
 #include "trace/camera.h"
 #include "trace/tracer.h"
 
@@ -12,26 +11,11 @@ namespace rt {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t most_samples = 4000, fewest_samples = 300;
 constexpr double most_unlike = 0.25;            ///< share of pixels in which ours is not as expected, and which are left out
 constexpr double rays_of_all_variants = 1.2e6;  ///< in which a test's variants are traced: about a second
 constexpr double variants = 40.0;
 constexpr std::size_t many_objects = 20'000;  ///< building them anew for a variant takes longer than its rays
-
-std::optional<RenderJob> job_of(const std::vector<std::string>& arguments, const std::string& inputs) {
-    if (arguments.empty() || (arguments[0] != "render" && arguments[0] != "raycast")) return std::nullopt;
-    const CourseUsage usage{.command = arguments[0], .size = true};
-    RenderJob job = parse_course_arguments(usage, {arguments.begin() + 1, arguments.end()}).job;
-    if (job.profile != Profile::csc473 || job.shading) return std::nullopt;
-    if (!job.course) job.course.emplace();
-    if (arguments[0] == "raycast") job.course->show = CourseShow::pigment;
-    if (!job.course->indirect_samples.empty()) return std::nullopt;
-    job.scene = scene_path(inputs, job.scene);
-    job.threads = 1;
-    return job;
-}
 
 Rgb mean_light(Tracer& tracer, const std::vector<Ray>& rays) {
     std::vector<Radiance> light(rays.size());
@@ -42,18 +26,6 @@ Rgb mean_light(Tracer& tracer, const std::vector<Ray>& rays) {
 }
 
 }  // namespace
-
-std::string scene_path(const std::string& inputs, const std::string& word) {
-    const fs::path path(word);
-    for (fs::path::iterator part = path.begin(); part != path.end(); ++part) {
-        if (*part == "..") continue;
-        if (*part != "resources") break;
-        fs::path rest;
-        for (++part; part != path.end(); ++part) rest /= *part;
-        return (fs::path(inputs) / rest).string();
-    }
-    return (fs::path(inputs) / path).string();
-}
 
 bool SceneSamples::has_many_objects() const { return scene_.objects.size() > many_objects; }
 
@@ -70,8 +42,9 @@ std::vector<Ray> SceneSamples::rays_of(const PixelSample& sample, const RenderOp
 std::optional<SceneSamples> SceneSamples::read(const std::vector<std::string>& arguments, const std::string& inputs,
                                                const ColorPicture& expected, const ColorPicture& actual) {
     try {
-        std::optional<RenderJob> job = job_of(arguments, inputs);
-        if (!job || job->width != expected.width || job->height != expected.height) return std::nullopt;
+        std::optional<RenderJob> job = job_of_test(arguments, inputs);
+        if (!job || !job->course->indirect_samples.empty() || job->width != expected.width || job->height != expected.height)
+            return std::nullopt;
         const MessageSink silent = message_sink(true);
         SceneSamples all;
         all.job_ = std::move(*job);

@@ -72,9 +72,6 @@ private:
     double picture_pixels_ = 0.0;
 };
 
-/// The file of a scene that programs find as ../resources/NAME or resources/NAME, where `inputs` are those.
-std::string scene_path(const std::string& inputs, const std::string& word);
-
 /// 0..1, as a picture has it.
 inline Color shown(const Rgb& light) {
     const auto channel = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };

@@ -10,6 +10,7 @@
 #include "commands/divergence_text.h"
 #include "commands/job_steps.h"
 #include "commands/scene_samples.h"
+#include "commands/test_job.h"
 #include "commands/told_pixel_file.h"
 #include "commands/values.h"
 
