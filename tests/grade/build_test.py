@@ -24,6 +24,7 @@ MAKE = "raytrace: main.cpp\n\tg++ -o raytrace main.cpp\n"
 class Build(unittest.TestCase):
     def setUp(self):
         self.place = pathlib.Path(tempfile.mkdtemp(prefix="grade_build_"))
+        self.place.chmod(0o755)  # runs may be another user's
         self.homework = self.place / "homework"
         (self.place / "inputs").mkdir()
         (self.place / "answers").mkdir()

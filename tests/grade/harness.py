@@ -61,7 +61,13 @@ def make_program(program, folder, script):
 
 def grade(program, suite, place, *words, check=None):
     """Runs `raytrace grade`; returns the finished process and the results by (submission, test)."""
-    run = subprocess.run([program, "grade", str(suite), "-o", str(place), *map(str, words)], capture_output=True, text=True)
+    scratch = pathlib.Path(place).parent / "scratch"  # of this grader alone, so that what stays there is its own
+    scratch.mkdir(parents=True, exist_ok=True)
+    run = subprocess.run([program, "grade", str(suite), "-o", str(place), *map(str, words)], capture_output=True, text=True,
+                         env={**os.environ, "TMPDIR": str(scratch)})
+    left = list(scratch.glob("raytrace-*"))
+    if left:
+        raise AssertionError(f"folders of runs were left: {left}")
     if check is not None and run.returncode != check:
         raise AssertionError(f"exit {run.returncode}, {check} expected\n{run.stdout}\n{run.stderr}")
     return run, read_results(place)

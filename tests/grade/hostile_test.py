@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Programs that are wrong, slow, broken or hostile, graded by a suite of the course's kind: each outcome, nothing outside touched, nothing left.
 
-usage: tests/grade/hostile_test.py PROGRAM
+usage: tests/grade/hostile_test.py PROGRAM [FAULTY]
+
+FAULTY is the program whose mistakes can be selected by RAYTRACE_FAULT.
 """
 import os
 import pathlib
@@ -15,6 +17,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import harness  # noqa: E402
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
+FAULTY = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 and os.path.exists(sys.argv[1]) else None
 MARK = f"graded-{os.getpid()}"  # in the command line of every process that must not stay
 
 PICTURE = 'case "$1" in render) ;; *) exec "$real" "$@" ;; esac\n"$real" "$@" || exit\n'
@@ -30,6 +33,8 @@ PROGRAMS = {
     "right": ('exec "$real" "$@"', "passed", "passed"),
     "mirrored": (picture_then("/usr/bin/convert output.png -flop output.png"), "passed", "wrong answer"),
     "gamma": (picture_then("/usr/bin/convert output.png -gamma 2.2 output.png"), "passed", "wrong answer"),
+    "half_pixel": (picture_then("/usr/bin/convert output.png -virtual-pixel edge -filter triangle -distort SRT '0,0 1 0 0.5,0' output.png"),
+                   "passed", "wrong answer"),
     "slow": ("sleep 60", "time-out", "time-out"),
     "spinning": ("while :; do :; done", "time-out", "time-out"),
     "crash": ("kill -SEGV $$", "signal", "signal"),
@@ -45,6 +50,8 @@ PROGRAMS = {
     "link": (picture_then("rm output.png; ln -s /etc/passwd output.png"), "passed", "unreadable output"),
     "pipe": (picture_then("rm output.png; mkfifo output.png"), "passed", "unreadable output"),
 }
+# What a wrong picture is called by.
+CAUSES = {"mirrored": "mirrored", "gamma": "gamma twice", "half_pixel": "half-pixel shift"}
 NEED_CONTAINMENT = ("fork_bomb", "memory")  # end otherwise, or not at all, where groups and users cannot be made
 
 
@@ -52,8 +59,10 @@ class Hostile(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.place = pathlib.Path(tempfile.mkdtemp(prefix="grade_test_"))
-        cls.suite = harness.make_suite(PROGRAM, cls.place, timeout=4, memory=512)
+        cls.place.chmod(0o755)  # runs may be another user's
+        cls.suite = harness.make_suite(PROGRAM, cls.place, timeout=4, memory=512, **{"pass": [{"metric": "rmse", "at_most": 0.003}]})
         cls.folder = cls.suite.parent
+        cls.tight = harness.make_suite(PROGRAM, cls.place / "tight", timeout=10, **{"pass": [{"metric": "rmse", "at_most": 0.001}]})
         right = harness.make_program(PROGRAM, cls.place / "programs" / "first", 'exec "$real" "$@"')
         run, _ = harness.grade(PROGRAM, cls.suite, cls.place / "out" / "first", "--exe", right)
         cls.holes = [line for line in run.stderr.splitlines() if "warning:" in line]
@@ -90,14 +99,26 @@ class Hostile(unittest.TestCase):
                     expected = texts if result["kind"] == "text" else pictures
                     if expected:
                         self.assertEqual(result["outcome"], expected, f"{test}: {result.get('reason')}")
+                    if name in CAUSES and result["kind"] == "picture":
+                        self.assertEqual(result.get("cause"), CAUSES[name], result.get("explanation"))
                 self.assertEqual(run.returncode, 0 if name == "right" else 1, run.stderr)
                 for report in ("results.json", "times.json", "results.csv", "junit.xml", "gradescope.json", "tests.json", "report.html"):
                     self.assertTrue((self.place / "out" / name / report).exists())
 
+    def test_a_tracer_without_shadows_is_told_so(self):
+        if not FAULTY:
+            self.skipTest("no program with selectable mistakes")
+        path = harness.make_program(FAULTY, self.place / "programs" / "shadowless", 'RAYTRACE_FAULT=no_shadows exec "$real" "$@"')
+        harness.grade(PROGRAM, self.tight, self.place / "out" / "shadowless", "--exe", path, check=1)
+        results = harness.read_results(self.place / "out" / "shadowless")
+        for name in ("plain", "smooth"):
+            result = results["raytrace", name]
+            self.assertEqual(result["outcome"], "wrong answer")
+            self.assertEqual(result.get("cause"), "missing shadows", result.get("explanation"))
+
     def test_writes_nowhere_else(self):
         if self.holes:
             self.skipTest("not contained here")
-        before = {path for path in pathlib.Path("/tmp").iterdir()}
         script = f'''for place in /tmp /dev/shm /var/tmp {self.folder} {self.folder}/inputs ../resources "$(dirname "$0")" {self.place} $HOME / /etc /root
 do echo {MARK} > "$place/{MARK}"; done 2>/dev/null
 exec "$real" "$@"'''
@@ -105,8 +126,6 @@ exec "$real" "$@"'''
         self.assertEqual({result["outcome"] for result in results.values()}, {"passed"})
         for place in ("/tmp", "/dev/shm", "/var/tmp", self.folder, self.folder / "inputs", self.place, self.place / "programs" / "writer", "/", "/etc", "/root"):
             self.assertFalse((pathlib.Path(place) / MARK).exists(), place)
-        left = {path for path in pathlib.Path("/tmp").iterdir()} - before
-        self.assertFalse([path for path in left if path.name.startswith("raytrace-grade-" )], left)
 
     def test_cannot_read_the_answers(self):
         if self.holes:
