@@ -1,10 +1,14 @@
 #include "commands/entry_store.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 #include "commands/write_bytes.h"
@@ -49,13 +53,12 @@ void EntryStore::put(const std::string& key, const std::vector<std::pair<std::st
     fs::create_directories(beside, error);
     if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", beside.string(), error.message()));
     for (const auto& [name, bytes] : files) write_bytes((beside / name).string(), bytes);
-    constexpr int attempts = 10;  // somebody else may put the same entry there in between
-    for (int i = 0; i < attempts; ++i) {
-        fs::remove_all(place, error);
-        fs::rename(beside, place, error);
-        if (!error) return;
-    }
-    throw OutputError(fmt::format("cannot write '{}': {}", place.string(), error.message()));
+    fs::rename(beside, place, error);
+    if (!error) return;
+    // There is one already: they change places in one step, so that whoever looks finds one of them whole.
+    const bool exchanged = renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0;
+    if (!exchanged) throw OutputError(fmt::format("cannot write '{}': {}", place.string(), std::strerror(errno)));
+    fs::remove_all(beside, error);
 }
 
 std::string EntryStore::path(const std::string& key, const std::string& name) const {

@@ -33,6 +33,7 @@ struct GradeJob {
     std::string suite, inputs;
     std::vector<std::string> programs;  ///< executables and folders of sources
     std::string submissions;            ///< a folder of such
+    std::vector<std::string> readable;
     std::string only;
     std::string folder = "grade-results";
     int parallel = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
@@ -55,6 +56,7 @@ void define(CommandLine& line, GradeJob& job) {
     line.value("--submissions", "DIR", "every program and every folder of sources in DIR",
                [&](const std::string& v) { job.submissions = v; });
     line.value("--inputs", "DIR", "the scenes; programs see ../resources (the suite's)", [&](const std::string& v) { job.inputs = v; });
+    line.values("--readable", "PATH", "more that every program may read", [&](const std::string& v) { job.readable.push_back(v); });
     line.value("--only", "REGEX", "tests whose name matches", [&](const std::string& v) { job.only = v; });
     line.value("-o,--output", "DIR", "reports and known results (grade-results)", [&](const std::string& v) { job.folder = v; });
     line.value("-j,--jobs", "N", "tests at a time (all processors)",
@@ -68,11 +70,13 @@ void define(CommandLine& line, GradeJob& job) {
     line.flag("-q,--quiet", "no notes, no progress, no table", [&] { job.quiet = true; });
 }
 
-void keep_only(Suite& suite, const std::string& pattern) {
-    if (pattern.empty()) return;
+/// The suite with the tests that are asked for.
+Suite only(Suite suite, const std::string& pattern) {
+    if (pattern.empty()) return suite;
     const std::regex wanted = regular_expression("only", pattern);
     std::erase_if(suite.tests, [&](const TestCase& test) { return !std::regex_search(test.name, wanted); });
     if (suite.tests.empty()) throw OptionError(fmt::format("--only: no test's name matches '{}'", pattern));
+    return suite;
 }
 
 /// Two programs of one name get a number each.
@@ -94,7 +98,7 @@ std::vector<Submission> programs_of(const GradeJob& job, const Containment& cont
     for (const std::string& path : paths) {
         const SourceTree tree = look_at(path, job.as_is);
         if (tree.problem.empty() && tree.program.empty()) messages(fmt::format("raytrace: building {}", tree.name));
-        submissions.push_back(build(tree, (fs::path(job.folder) / "builds").string(), containment, 0));
+        submissions.push_back(build(tree, {(fs::path(job.folder) / "builds").string(), job.fresh}, containment, 0));
         const std::string& problem = submissions.back().problem;
         if (problem.empty()) continue;
         if (paths.size() == 1 && job.submissions.empty()) throw OptionError(fmt::format("{}: {}", tree.name, problem));
@@ -102,6 +106,13 @@ std::vector<Submission> programs_of(const GradeJob& job, const Containment& cont
     }
     name_apart(submissions);
     return submissions;
+}
+
+std::string existing_path(const std::string& path) {
+    std::error_code error;
+    const fs::path place = fs::canonical(path, error);
+    if (error) throw OptionError(fmt::format("--readable: there is no '{}'", path));
+    return place.string();
 }
 
 void make_folder(const std::string& folder) {
@@ -132,20 +143,21 @@ int run(GradeJob job) {
     const MessageSink messages = message_sink(job.quiet);
     Grading grading;
     grading.suite = read_suite(job.suite, job.inputs, messages);
-    keep_only(grading.suite, job.only);
+    const Suite asked = only(grading.suite, job.only);
     make_folder(job.folder);
     job.folder = grading.folder = fs::canonical(job.folder).string();
-    if (job.audit) return run_audit(job, grading.suite);
-    grading.inputs_hash = hash_of_folder(grading.suite.inputs);
+    if (job.audit) return run_audit(job, asked);
     grading.containment = find_containment();
+    for (const std::string& path : job.readable) grading.readable.push_back(existing_path(path));
+    grading.common_hash = common_hash_of(grading);
     const std::vector<std::string> uncontained = holes(grading.containment);
     for (const std::string& hole : uncontained) messages(fmt::format("raytrace: warning: {}", hole));
     const std::vector<Submission> submissions = programs_of(job, grading.containment, messages);
 
     remove_left_places();
     const GradeStore store((fs::path(job.folder) / "known").string());
-    const std::vector<GradeTask> tasks = tasks_of(submissions, grading.suite, job.shard);
-    GradeRecord record{grading.suite.name, uncontained, job.shard, {}, grading.suite.tests};
+    const std::vector<GradeTask> tasks = tasks_of(submissions, asked, job.shard);
+    GradeRecord record{grading.suite.name, uncontained, job.shard, {}, asked.tests};
     {
         const StopOnSignal signals;
         TaskProgressLine progress(!job.quiet, "tests");

@@ -35,7 +35,7 @@ public:
             else if (!fresh)
                 results_[i] = from_store(i);
             // Whether it was slow or had no room is not known: it was interrupted before it could be run alone.
-            if (results_[i] && results_[i]->outcome == Outcome::time_out && !results_[i]->alone) results_[i].reset();
+            if (results_[i] && results_[i]->outcome == Outcome::time_out && !results_[i]->alone && may_have_waited(i)) results_[i].reset();
             if (results_[i])
                 ++progress_.done, ++progress_.taken;
             else if (const auto [first, is_new] = firsts.emplace(key_of(grading_, *submission, *test), i); is_new)
@@ -59,11 +59,11 @@ public:
         tell(parallel);
     }
 
-    /// Those that did not end in time.
+    /// Those that did not end in time, and might alone.
     std::vector<std::size_t> late_ones(const std::vector<std::size_t>& chosen) const {
         std::vector<std::size_t> late;
         for (const std::size_t i : chosen)
-            if (results_[i] && results_[i]->outcome == Outcome::time_out) late.push_back(i);
+            if (results_[i] && results_[i]->outcome == Outcome::time_out && may_have_waited(i)) late.push_back(i);
         return late;
     }
     void expect_again(const std::vector<std::size_t>& chosen) {
@@ -78,6 +78,12 @@ public:
     }
 
 private:
+    /// A run that had a processor nearly all of its time, or that nearly never wanted one, would be as late alone.
+    bool may_have_waited(std::size_t i) const {
+        const double share = results_[i]->cpu_seconds / tasks_[i].test->limits.wall_seconds;
+        return share > 0.02 && share < 0.9;
+    }
+
     /// Programs and tests that are the same share an entry; each has its own name.
     std::optional<Result> from_store(std::size_t i) const {
         const auto& [submission, test] = tasks_[i];
@@ -104,12 +110,11 @@ private:
         ++progress_.done;
         if (end.done) results_[i] = from_store(i);
         if (results_[i]) return;
-        // Judging itself failed, on what the program left or because the disk is full.
         results_[i] = result_without_program(*tasks_[i].submission, *tasks_[i].test);
-        results_[i]->outcome = Outcome::unreadable_output;
+        results_[i]->outcome = Outcome::not_judged;
         results_[i]->reason = end.signal            ? fmt::format("judging it was ended by signal {}", end.signal)
                               : end.problem.empty() ? "its result could not be kept"
-                                                    : "it could not be judged: " + end.problem;
+                                                    : end.problem;
     }
 
     void tell(int parallel) {

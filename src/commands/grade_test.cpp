@@ -24,6 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The scene of a test that is only shown, if its author has one: a file of their own, not a link to somebody else's.
+TakenFile own_scene(const Submission& submission, const TestCase& test) {
+    constexpr std::uint64_t most_bytes = 1u << 26;
+    const bool named = !submission.scenes.empty() && test.arguments.size() > 1;
+    return named ? take_file(submission.scenes, test.arguments[1], most_bytes) : TakenFile{std::nullopt, true, ""};
+}
+
 /// A program's own folder, as the course's graders lay it out: it runs in "build", the scenes are in "resources" beside it and in it.
 class Place {
 public:
@@ -32,8 +39,10 @@ public:
         fs::create_directory(folder / "build");
         fs::create_directory_symlink(grading.suite.inputs, folder / "resources");
         fs::create_directory_symlink(grading.suite.inputs, folder / "build" / "resources");
-        if (test.kind == TestCase::Kind::shown)
-            fs::copy_file(fs::path(submission.scenes) / test.arguments.at(1), folder / "build" / test.arguments.at(1));
+        if (test.kind != TestCase::Kind::shown) return;
+        const TakenFile scene = own_scene(submission, test);
+        if (!scene.bytes) throw OptionError(scene.problem);
+        write_bytes((folder / "build" / test.arguments[1]).string(), *scene.bytes);
     }
 
     std::string folder() const { return place_.folder(); }
@@ -43,15 +52,21 @@ private:
     RunPlace place_;
 };
 
-/// Where the right answers are: their folders, but where the scenes are in the same one the answers themselves.
-std::vector<std::string> hidden_places(const Suite& suite) {
+bool is_within(const fs::path& path, const fs::path& folder) { return *path.lexically_relative(folder).begin() != ".."; }
+
+/// Where the right answers are: their folders, but where something that is shown lies in the same one the answers themselves. And the
+/// results, unless the program was built among them: of those it is shown its own alone anyway.
+std::vector<std::string> hidden_places(const Grading& grading, const std::vector<std::string>& shown) {
+    const auto holds_shown = [&](const fs::path& folder) {
+        return std::any_of(shown.begin(), shown.end(), [&](const std::string& path) { return is_within(path, folder); });
+    };
     std::set<std::string> places;
-    for (const TestCase& test : suite.tests) {
+    for (const TestCase& test : grading.suite.tests) {
         if (test.expected.empty()) continue;
         const fs::path folder = fs::path(test.expected).parent_path();
-        const bool has_inputs = *fs::path(suite.inputs).lexically_relative(folder).begin() != "..";
-        places.insert(has_inputs ? test.expected : folder.string());
+        places.insert(holds_shown(folder) ? test.expected : folder.string());
     }
+    if (!holds_shown(grading.folder)) places.insert(grading.folder);
     return {places.begin(), places.end()};
 }
 
@@ -62,21 +77,51 @@ ContainedRun contained_run(const Grading& grading, const Submission& submission,
     run.folder = place.folder(), run.working_folder = place.working_folder();
     run.readable = {submission.program, grading.suite.inputs};
     if (!submission.visible.empty()) run.readable.push_back(submission.visible);
-    run.hidden = hidden_places(grading.suite);
-    run.hidden.push_back(grading.folder);
+    run.readable.insert(run.readable.end(), grading.readable.begin(), grading.readable.end());
+    run.hidden = hidden_places(grading, run.readable);
     return run;
 }
 
-/// The picture a program left, and its bytes as they were.
-Written take_picture(const Place& place, const TestCase& test, std::string& bytes) {
+/// Width and height that a PNG says it has; 0 if it is none.
+std::pair<int, int> png_size(std::string_view bytes) {
+    constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+    constexpr std::size_t at = 16;  // behind the signature and the head of the first chunk
+    if (!bytes.starts_with(signature) || bytes.size() < at + 8) return {0, 0};
+    const auto number = [&](std::size_t from) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[from + i]);
+        return static_cast<int>(std::min(value, 0x7fffffffu));
+    };
+    return {number(at), number(at + 4)};
+}
+
+/// Pixels that are worth decoding for a person to see.
+constexpr double most_pixels = 64e6;
+
+/// The picture a program left, and its bytes as they were. It is decoded from a copy that the program never had near it: its own folder
+/// may hold anything, links to other files for instance. A PNG of another size than `expected`'s is not decoded, whatever memory it asks
+/// for.
+Written take_picture(const Place& place, const TestCase& test, const StoredImage* expected, std::string& bytes) {
     Written written;
     const TakenFile taken = take_file(place.working_folder(), test.output, test.limits.file_bytes);
     if (taken.missing) return written;
     written.state = Written::State::unreadable;
     written.reason = taken.problem;
     if (!taken.bytes) return written;
+    const auto [width, height] = png_size(*taken.bytes);
+    if (static_cast<double>(width) * height > most_pixels) {
+        written.reason = fmt::format("{} is of {} x {} pixels", test.output, width, height);
+        return written;
+    }
+    if (expected && width > 0 && (width != expected->width || height != expected->height)) {
+        written.state = Written::State::picture;
+        written.image.width = width, written.image.height = height;
+        bytes = *taken.bytes;
+        return written;
+    }
     try {
-        const std::string path = (fs::path(place.folder()) / fmt::format("taken{}", fs::path(test.output).extension().string())).string();
+        const RunPlace copy;
+        const std::string path = (fs::path(copy.folder()) / fmt::format("taken{}", fs::path(test.output).extension().string())).string();
         write_bytes(path, *taken.bytes);
         written.image = read_image(path);
         written.state = Written::State::picture;
@@ -96,9 +141,9 @@ Result judged(const Suite& suite, const TestCase& test, const Ending& ending, co
         if (result.outcome == Outcome::wrong_answer) explain_text(*expected, ending.output, result);
         return result;
     }
-    const Written written = take_picture(place, test, picture);
-    if (test.kind == TestCase::Kind::shown) return judge_shown(test, ending, written);
+    if (test.kind == TestCase::Kind::shown) return judge_shown(test, ending, take_picture(place, test, nullptr, picture));
     const StoredImage expected = read_image(test.expected);
+    const Written written = take_picture(place, test, &expected, picture);
     Result result = judge_picture(test, ending, written, expected);
     if (result.outcome == Outcome::wrong_answer) explain_picture(suite, test, expected, written.image, run_again, result);
     return result;
@@ -123,8 +168,17 @@ Result run_once(const Grading& grading, const Submission& submission, const Test
 
 }  // namespace
 
+std::string common_hash_of(const Grading& grading) {
+    static const std::string judge = hash_of_file("/proc/self/exe");
+    std::string all = fmt::format("{}\n{}\n{}\n", program_version(), judge, hash_of_folder(grading.suite.inputs));
+    for (const std::string& path : grading.readable) all += fmt::format("{}\n{}\n{}\n", path, hash_of_file(path), hash_of_folder(path));
+    const Containment& c = grading.containment;
+    return hash_of(all + fmt::format("{} {} {} {}", !c.bubblewrap.empty(), !c.memory_group.empty(), !c.pids_group.empty(), c.own_user));
+}
+
 std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test) {
-    std::string rule = fmt::format("{}\n{}\n{}\n", program_version(), submission.hash, grading.inputs_hash);
+    std::string rule = fmt::format("{}\n{}\n", submission.hash, grading.common_hash);
+    if (test.kind == TestCase::Kind::shown) rule += hash_of(own_scene(submission, test).bytes.value_or("")) + "\n";
     rule += fmt::format("{}\n{}\n{}\n{}\n", name_of(kind_names, test.kind), fmt::join(test.arguments, "\n"),
                         test.expected.empty() ? "" : hash_of_file(test.expected), test.output);
     rule += fmt::format("{} {} {} {} {}\n", test.limits.wall_seconds, test.limits.memory_bytes, test.limits.output_bytes,
@@ -136,10 +190,7 @@ std::string key_of(const Grading& grading, const Submission& submission, const T
     return hash_of(rule);
 }
 
-bool has_scene(const Submission& submission, const TestCase& test) {
-    std::error_code none;
-    return !submission.scenes.empty() && fs::is_regular_file(fs::path(submission.scenes) / test.arguments.at(1), none);
-}
+bool has_scene(const Submission& submission, const TestCase& test) { return own_scene(submission, test).bytes.has_value(); }
 
 void run_test(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot, bool alone) {
     std::vector<std::pair<Result, std::string>> runs;

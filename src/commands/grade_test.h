@@ -15,16 +15,20 @@ struct Submission {
     std::string visible;  ///< folder that it can read; empty: nothing but itself
     std::string scenes;   ///< folder of scenes of its author's own, for tests that are only shown; may be empty
     std::string problem;  ///< why there is no program, e.g. the last lines of its build
-    std::string hash;     ///< of the program
+    std::string hash;     ///< of the program and of what it can read of its author's
 };
 
 /// What all tests of a grading share.
 struct Grading {
     Suite suite;
     Containment containment;
-    std::string inputs_hash;
-    std::string folder;  ///< of the results: never shown to a program
+    std::string common_hash;            ///< of what every result depends on: the scenes, what is readable, containment, and this program
+    std::vector<std::string> readable;  ///< files and folders that every program may read besides
+    std::string folder;                 ///< of the results: never shown to a program
 };
+
+/// `Grading::common_hash` of the other members.
+std::string common_hash_of(const Grading& grading);
 
 /// Everything that the result of a test depends on, as one name.
 std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test);

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "commands/content_hash.h"
 #include "commands/values.h"
 #include "commands/write_bytes.h"
+#include "syntax/file_text.h"
 
 namespace rt {
 
@@ -18,9 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* program_name = "raytrace";
 
-bool is_program(const fs::path& path) {
+/// A file that can be read and executed, and no link: what is a submission's own.
+bool is_own_program(const fs::path& path) {
     std::error_code none;
-    return fs::is_regular_file(path, none) && access(path.c_str(), X_OK) == 0;
+    return fs::symlink_status(path, none).type() == fs::file_type::regular && access(path.c_str(), R_OK | X_OK) == 0;
 }
 
 bool has(const fs::path& folder, const char* name) {
@@ -30,29 +33,37 @@ bool has(const fs::path& folder, const char* name) {
 
 bool has_makefile(const fs::path& folder) { return has(folder, "Makefile") || has(folder, "makefile") || has(folder, "GNUmakefile"); }
 
-/// The folder meant by a submission's.
-fs::path inner_folder(fs::path folder) {
+/// The folder meant by a submission's; none if one on the way cannot be read.
+std::optional<fs::path> inner_folder(fs::path folder) {
     for (int depth = 0; depth < 8; ++depth) {
         std::vector<fs::path> folders;
         bool files = false;
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        std::error_code error;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
             if (entry.path().filename().string().starts_with('.')) continue;
-            if (entry.is_directory())
+            if (entry.symlink_status(error).type() == fs::file_type::directory)
                 folders.push_back(entry.path());
             else
                 files = true;
         }
-        for (const char* name : {"prog1", "CPE473"})
-            if (!files && has(folder, name)) folders = {folder / name};
+        if (error) return std::nullopt;
+        for (const fs::path& inner : std::vector<fs::path>(folders))
+            if (!files && (inner.filename() == "prog1" || inner.filename() == "CPE473")) folders = {inner};
         if (files || folders.size() != 1) break;
         folder = folders.front();
     }
     return folder;
 }
 
+/// What lies at a path and leads nowhere else: no link on the way from `folder`.
+bool is_in(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    return fs::canonical(path, error) == fs::canonical(folder, error) / path.lexically_relative(folder) && !error;
+}
+
 std::string find_program(const fs::path& folder) {
     for (const fs::path& place : {folder / program_name, folder / "build" / program_name})
-        if (is_program(place)) return place.string();
+        if (is_own_program(place) && is_in(place, folder)) return place.string();
     return {};
 }
 
@@ -92,8 +103,26 @@ std::vector<BuildStep> build_steps(const fs::path& copy) {
 
 Submission without_program(const SourceTree& tree, std::string problem) { return {tree.name, "", "", tree.folder, std::move(problem), ""}; }
 
-Submission with_program(const SourceTree& tree, const std::string& program, const std::string& visible) {
-    return {tree.name, program, visible, tree.folder, "", hash_of_file(program)};
+/// A program that sees the folder around it, and whose results depend on all of that.
+Submission with_folder(const SourceTree& tree, const std::string& program, const std::string& visible) {
+    return {tree.name, program, visible, tree.folder, "", hash_of(hash_of_file(program) + hash_of_folder(visible))};
+}
+
+/// Builds the copy. Returns why it has no program, or nothing.
+std::string problem_of_build(const SourceTree& tree, const fs::path& copy, const Containment& containment, int slot) {
+    std::error_code error;
+    fs::remove_all(copy, error);
+    fs::create_directories(copy.parent_path(), error);
+    fs::copy(tree.folder, copy, fs::copy_options::recursive | fs::copy_options::copy_symlinks, error);
+    if (error) return fmt::format("cannot copy '{}': {}", tree.folder, error.message());
+    fs::remove_all(copy / "build", error);
+    for (const BuildStep& step : build_steps(copy)) {
+        const Ending ending = run_contained({step.command, copy.string(), step.folder.string(), {}, {}}, build_limits(), containment, slot);
+        if (ending.kind == Ending::Kind::exited && ending.status == 0) continue;
+        const bool late = ending.kind == Ending::Kind::time_out;
+        return fmt::format("build failed: {}", late ? "not done in time" : last_lines(ending.output + ending.reason, 3));
+    }
+    return {};
 }
 
 }  // namespace
@@ -105,15 +134,16 @@ SourceTree look_at(const std::string& path, bool as_is) {
     tree.name = (fs::path(path).has_filename() ? fs::path(path) : fs::path(path).parent_path()).filename().string();
     if (error) {
         tree.problem = fmt::format("there is no '{}'", path);
-    } else if (is_program(place)) {
+    } else if (is_own_program(place)) {
         tree.program = place.string();
-    } else if (!fs::is_directory(place)) {
-        tree.problem = fmt::format("'{}' is no program and no folder", path);
+    } else if (!fs::is_directory(place, error)) {
+        tree.problem = fmt::format("'{}' is no program that can be read and executed, and no folder", path);
+    } else if (const std::optional<fs::path> folder = inner_folder(place); !folder) {
+        tree.problem = fmt::format("'{}' cannot be read", path);
     } else {
-        const fs::path folder = inner_folder(place);
-        tree.folder = folder.string();
-        const bool sources = !build_steps(folder).empty();
-        if (as_is || !sources) tree.program = find_program(folder);
+        tree.folder = folder->string();
+        const bool sources = !build_steps(*folder).empty();
+        if (as_is || !sources) tree.program = find_program(*folder);
         if (tree.program.empty() && !sources)
             tree.problem = fmt::format("'{}' holds neither a program '{}' nor a CMakeLists.txt or makefile", path, program_name);
     }
@@ -124,7 +154,7 @@ std::vector<std::string> submissions_in(const std::string& folder) {
     std::error_code error;
     std::vector<std::string> paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (!entry.path().filename().string().starts_with('.') && (entry.is_directory() || is_program(entry.path())))
+        if (!entry.path().filename().string().starts_with('.') && (entry.is_directory(error) || is_own_program(entry.path())))
             paths.push_back(entry.path().string());
     if (error) throw OptionError(fmt::format("cannot read the folder '{}': {}", folder, error.message()));
     if (paths.empty()) throw OptionError(fmt::format("'{}' holds no programs and no folders", folder));
@@ -132,33 +162,23 @@ std::vector<std::string> submissions_in(const std::string& folder) {
     return paths;
 }
 
-Submission build(const SourceTree& tree, const std::string& builds, const Containment& containment, int slot) {
+Submission build(const SourceTree& tree, const BuildOptions& options, const Containment& containment, int slot) {
     if (!tree.problem.empty()) return without_program(tree, tree.problem);
-    if (!tree.program.empty()) {
-        const fs::path folder = fs::path(tree.program).parent_path();
-        return with_program(tree, tree.program, folder.has_relative_path() ? folder.string() : std::string());
+    if (!tree.program.empty() && tree.folder.empty()) return {tree.name, tree.program, "", "", "", hash_of_file(tree.program)};
+    if (!tree.program.empty()) return with_folder(tree, tree.program, tree.folder);
+
+    const fs::path copy = fs::path(options.folder) / fmt::format("{}-{}", tree.name, hash_of_folder(tree.folder).substr(0, 16));
+    const std::string outcome = copy.string() + ".outcome";  // holds what went wrong
+    constexpr std::size_t most_bytes = 1u << 16;
+    std::optional<std::string> problem = options.fresh ? std::nullopt : read_file_text(outcome, most_bytes);
+    if (!problem) {
+        problem = problem_of_build(tree, copy, containment, slot);
+        write_bytes(outcome, *problem);
     }
-    const fs::path copy = fs::path(builds) / fmt::format("{}-{}", tree.name, hash_of_folder(tree.folder).substr(0, 16));
-    const fs::path done = copy.string() + ".done";
-    std::error_code error;
-    if (!fs::exists(done, error)) {
-        fs::remove_all(copy, error);
-        fs::create_directories(builds, error);
-        fs::copy(tree.folder, copy, fs::copy_options::recursive | fs::copy_options::copy_symlinks, error);
-        if (error) return without_program(tree, fmt::format("cannot copy '{}': {}", tree.folder, error.message()));
-        fs::remove_all(copy / "build", error);
-        for (const BuildStep& step : build_steps(copy)) {
-            const Ending ending =
-                run_contained({step.command, copy.string(), step.folder.string(), {}, {}}, build_limits(), containment, slot);
-            if (ending.kind == Ending::Kind::exited && ending.status == 0) continue;
-            const std::string how =
-                ending.kind == Ending::Kind::time_out ? "not done in time" : last_lines(ending.output + ending.reason, 3);
-            return without_program(tree, fmt::format("build failed: {}", how));
-        }
-        write_bytes(done.string(), "");
-    }
+    if (!problem->empty()) return without_program(tree, *problem);
     for (const fs::path& place : {copy / "build", copy, copy / "src"})
-        if (is_program(place / program_name)) return with_program(tree, (place / program_name).string(), copy.string());
+        if (is_own_program(place / program_name) && is_in(place / program_name, copy))
+            return with_folder(tree, (place / program_name).string(), copy.string());
     return without_program(tree, fmt::format("the build made no '{}'", program_name));
 }
 

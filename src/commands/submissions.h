@@ -24,8 +24,15 @@ SourceTree look_at(const std::string& path, bool as_is);
 /// Everything in `folder`: each executable and each folder, in the order of their names. Throws OptionError if there is nothing.
 std::vector<std::string> submissions_in(const std::string& folder);
 
-/// The program of `tree`, built if it has to be: in a copy below `builds` and contained as any run is, with CMake (Release), else make,
-/// else make in "src". A copy of the same sources that is built already is used again. What went wrong is the submission's `problem`.
-Submission build(const SourceTree& tree, const std::string& builds, const Containment& containment, int slot);
+/// Where and how sources are built.
+struct BuildOptions {
+    std::string folder;  ///< of the copies
+    bool fresh = false;  ///< what is built already is built again
+};
+
+/// The program of `tree`, built if it has to be: in a copy and contained as any run is, with CMake (Release), else make, else make in
+/// "src". What became of the same sources before is taken. What went wrong is the submission's `problem`. A program from a folder sees that
+/// folder, an executable by itself nothing but itself. Links do not count: nothing outside a submission becomes a part of it.
+Submission build(const SourceTree& tree, const BuildOptions& options, const Containment& containment, int slot);
 
 }  // namespace rt

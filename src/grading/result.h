@@ -24,6 +24,7 @@ enum class Outcome : std::uint8_t {
     too_much_output,
     not_started,  ///< there is no program, or it could not be started
     shown,        ///< nothing is expected
+    not_judged,   ///< a fault of ours or of the suite's: a broken answer, a full disk
     not_run       ///< the grading ended before
 };
 

@@ -6,7 +6,7 @@
 
 namespace rt {
 
-inline constexpr NameTable<Outcome, 13> outcome_names{{{"passed", Outcome::passed},
+inline constexpr NameTable<Outcome, 14> outcome_names{{{"passed", Outcome::passed},
                                                        {"wrong answer", Outcome::wrong_answer},
                                                        {"wrong size", Outcome::wrong_size},
                                                        {"no output", Outcome::no_output},
@@ -18,6 +18,7 @@ inline constexpr NameTable<Outcome, 13> outcome_names{{{"passed", Outcome::passe
                                                        {"too much output", Outcome::too_much_output},
                                                        {"not started", Outcome::not_started},
                                                        {"shown", Outcome::shown},
+                                                       {"not judged", Outcome::not_judged},
                                                        {"not run", Outcome::not_run}}};
 inline constexpr NameTable<TestCase::Kind, 3> kind_names{
     {{"text", TestCase::Kind::text}, {"picture", TestCase::Kind::picture}, {"shown", TestCase::Kind::shown}}};

@@ -98,8 +98,13 @@ void run_jobs(std::size_t count, int parallel, const JobCalls& calls, const std:
     while (finished < count && !stop) {
         for (std::size_t slot = 0; slot < workers.all.size() && next < count; ++slot) {
             if (workers.all[slot].process != 0) continue;
+            try {
+                workers.all[slot] = start(next, static_cast<int>(slot), calls.work);
+            } catch (const std::system_error&) {  // no more processes for now: those that run will make room
+                if (next == finished) throw;
+                break;
+            }
             if (calls.begin) calls.begin(next);
-            workers.all[slot] = start(next, static_cast<int>(slot), calls.work);
             ++next;
         }
         for (const std::size_t slot : ended(workers.all)) {

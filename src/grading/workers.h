@@ -17,7 +17,7 @@ struct WorkerEnd {
 
 /// What is done for each job. `begin`, `done` and `idle` may be empty.
 struct JobCalls {
-    std::function<void(std::size_t job)> begin;                       ///< here, before its process is started
+    std::function<void(std::size_t job)> begin;                       ///< here, when its process has started
     std::function<void(std::size_t job, int slot)> work;              ///< in a process of its own; what it throws ends it as not done
     std::function<void(std::size_t job, const WorkerEnd& end)> done;  ///< here, as each ends, in any order
     std::function<void()> idle;                                       ///< here, a few times a second

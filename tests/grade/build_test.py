@@ -76,6 +76,47 @@ class Build(unittest.TestCase):
         _, results = self.outcomes()
         self.assertEqual(results["cmake"]["outcome"], "wrong answer")
 
+    def test_what_a_program_has_beside_it_can_be_read_and_counts(self):
+        self.submit("reader", {"Makefile": "raytrace: script\n\tcp script raytrace; chmod +x raytrace\n", "data.txt": "T = 1.0000\n",
+                               "script": '#!/bin/sh\ncat "$(dirname "$0")/data.txt"\n'})
+        _, results = self.outcomes()
+        self.assertEqual(results["reader"]["outcome"], "passed", results["reader"])
+        (self.homework / "reader" / "data.txt").write_text("T = 2.0000\n")
+        _, results = self.outcomes()
+        self.assertEqual(results["reader"]["outcome"], "wrong answer")
+
+    def test_links_make_nothing_a_submissions_own(self):
+        self.submit("alice", {"raytrace": "#!/bin/sh\necho 'T = 1.0000'\n"})
+        (self.homework / "alice" / "raytrace").chmod(0o755)
+        (self.homework / "mallory").mkdir()
+        (self.homework / "mallory" / "raytrace").symlink_to("../alice/raytrace")
+        (self.homework / "eve").mkdir()
+        (self.homework / "eve" / "mine").symlink_to("../alice")
+        self.submit("trudy", {"Makefile": f"raytrace:\n\tln -s {self.homework}/alice/raytrace raytrace\n"})
+        _, results = self.outcomes()
+        self.assertEqual(results["alice"]["outcome"], "passed")
+        for name in ("mallory", "eve", "trudy"):
+            self.assertEqual(results[name]["outcome"], "not started", name)
+
+    def test_failed_builds_are_known_and_rebuilt_when_asked(self):
+        self.submit("broken", {"Makefile": MAKE, "main.cpp": "int main() { return x; }\n"})
+        self.outcomes()
+        outcome = next((self.place / "out" / "builds").glob("broken-*.outcome"))
+        moment = outcome.stat().st_mtime_ns
+        self.outcomes()
+        self.assertEqual(outcome.stat().st_mtime_ns, moment)
+        harness.grade(PROGRAM, self.suite, self.place / "out", "--submissions", self.homework, "--fresh", check=0)
+        self.assertNotEqual(outcome.stat().st_mtime_ns, moment)
+
+    def test_a_broken_answer_is_not_the_programs_fault(self):
+        (self.place / "answers" / "p.png").write_text("no picture")
+        self.suite.write_text(json.dumps({"format": "raytrace suite 1", "inputs": "inputs",
+                                          "tests": [{"name": "p", "command": "x", "expected": "answers/p.png"}]}))
+        self.submit("right", {"raytrace": "#!/bin/sh\nexit 0\n"})
+        (self.homework / "right" / "raytrace").chmod(0o755)
+        _, results = self.outcomes()
+        self.assertEqual(results["right"]["outcome"], "not judged", results["right"])
+
     def test_a_hostile_build_is_contained(self):
         mark = self.place / "mark"
         self.submit("writer", {"Makefile": f"raytrace:\n\t-touch {mark} {self.suite} {self.place}/answers/t.out\n\tcat {self.place}/answers/t.out\n"})

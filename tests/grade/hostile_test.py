@@ -64,7 +64,7 @@ class Hostile(unittest.TestCase):
         cls.folder = cls.suite.parent
         cls.tight = harness.make_suite(PROGRAM, cls.place / "tight", timeout=10, **{"pass": [{"metric": "rmse", "at_most": 0.001}]})
         right = harness.make_program(PROGRAM, cls.place / "programs" / "first", 'exec "$real" "$@"')
-        run, _ = harness.grade(PROGRAM, cls.suite, cls.place / "out" / "first", "--exe", right)
+        run, _ = harness.grade(PROGRAM, cls.suite, cls.place / "out" / "first", "--exe", right.parent)
         cls.holes = [line for line in run.stderr.splitlines() if "warning:" in line]
         if cls.holes:
             print("this machine cannot contain all, so less is tested:", *cls.holes, sep="\n  ")
@@ -75,7 +75,7 @@ class Hostile(unittest.TestCase):
 
     def graded(self, name, script, *words):
         path = harness.make_program(PROGRAM, self.place / "programs" / name, script)
-        run, results = harness.grade(PROGRAM, self.suite, self.place / "out" / name, "--exe", path, *words)
+        run, results = harness.grade(PROGRAM, self.suite, self.place / "out" / name, "--exe", path.parent, *words)
         self.assertEqual(len(results), 2 if words else 4, run.stderr)
         self.assertNothingLeft()
         return run, {test: result for (_, test), result in results.items()}
@@ -109,10 +109,10 @@ class Hostile(unittest.TestCase):
         if not FAULTY:
             self.skipTest("no program with selectable mistakes")
         path = harness.make_program(FAULTY, self.place / "programs" / "shadowless", 'RAYTRACE_FAULT=no_shadows exec "$real" "$@"')
-        harness.grade(PROGRAM, self.tight, self.place / "out" / "shadowless", "--exe", path, check=1)
+        harness.grade(PROGRAM, self.tight, self.place / "out" / "shadowless", "--exe", path.parent, check=1)
         results = harness.read_results(self.place / "out" / "shadowless")
         for name in ("plain", "smooth"):
-            result = results["raytrace", name]
+            result = results["shadowless", name]
             self.assertEqual(result["outcome"], "wrong answer")
             self.assertEqual(result.get("cause"), "missing shadows", result.get("explanation"))
 
@@ -126,6 +126,34 @@ exec "$real" "$@"'''
         self.assertEqual({result["outcome"] for result in results.values()}, {"passed"})
         for place in ("/tmp", "/dev/shm", "/var/tmp", self.folder, self.folder / "inputs", self.place, self.place / "programs" / "writer", "/", "/etc", "/root"):
             self.assertFalse((pathlib.Path(place) / MARK).exists(), place)
+
+    def test_what_lies_beside_the_picture_is_not_touched(self):
+        """Links and pipes that a program leaves where a careless judge would write."""
+        victim = self.place / "victim"
+        answer = self.folder / "answers" / "plain.png"
+        right = answer.read_bytes()
+        for name, command in (("link_away", f"ln -s {victim} ../taken.png"), ("link_to_answer", f"ln -sf {answer} ../taken.png"),
+                              ("pipe_beside", "mkfifo ../taken.png")):
+            with self.subTest(name):
+                _, results = self.graded(name, picture_then(f"/usr/bin/convert output.png -negate output.png; {command}"))
+                self.assertEqual(results["plain"]["outcome"], "wrong answer")
+                self.assertFalse(victim.exists())
+                self.assertEqual(answer.read_bytes(), right)
+
+    def test_a_picture_that_would_fill_the_memory_is_of_a_wrong_size(self):
+        head = "89504e470d0a1a0a0000000d49484452" + (20000).to_bytes(4, "big").hex() * 2 + "0802000000"
+        _, results = self.graded("bomb", picture_then(f"printf '{''.join(chr(92) + 'x' + head[i:i+2] for i in range(0, len(head), 2))}' > output.png".replace("printf", "/usr/bin/printf")))
+        self.assertIn(results["plain"]["outcome"], ("unreadable output", "wrong size"))
+        self.assertIn("20000 x 20000", results["plain"]["reason"])
+
+    def test_an_executable_by_itself_sees_nothing_beside_it(self):
+        if self.holes:
+            self.skipTest("not contained here")
+        path = harness.make_program(PROGRAM, self.place / "programs" / "alone", 'ls -a "$(dirname "$0")"; cat "$(dirname "$0")/secret"')
+        (path.parent / "secret").write_text("do not tell")
+        _, results = harness.grade(PROGRAM, self.suite, self.place / "out" / "alone", "--exe", path, "--only", "ray", check=1)
+        self.assertNotIn("do not tell", results["raytrace", "ray"]["output"])
+        self.assertNotIn("real", results["raytrace", "ray"]["output"])
 
     def test_cannot_read_the_answers(self):
         if self.holes:
@@ -151,7 +179,7 @@ exec "$real" "$@"'''
         path = harness.make_program(PROGRAM, self.place / "programs" / "plain", 'exec "$real" "$@"')
         empty = self.place / "empty"
         empty.mkdir()
-        run = subprocess.run([PROGRAM, "grade", str(self.suite), "--exe", str(path), "-o", str(self.place / "out" / "plain")],
+        run = subprocess.run([PROGRAM, "grade", str(self.suite), "--exe", str(path.parent), "-o", str(self.place / "out" / "plain")],
                              capture_output=True, text=True, env={**os.environ, "PATH": str(empty)})
         self.assertIn("bubblewrap", run.stderr)
 
