@@ -95,6 +95,9 @@ TestCase test_of(const JsonValue& value, TestCase test, const fs::path& folder) 
     if (value.has("output") && (test.output.empty() || test.output.find('/') != std::string::npos))
         value["output"].fail("a file's name without a folder");
     test.arguments = words_of(value["command"]);
+    const bool scene_of_ones_own = test.arguments.size() > 1 && test.arguments[1].find('/') == std::string::npos;
+    if (test.kind == TestCase::Kind::shown && !scene_of_ones_own)
+        value["command"].fail("a command whose second word is the name of the author's own scene, without a folder");
     if (test.kind != TestCase::Kind::shown) test.expected = existing(value["expected"], folder);
     return test;
 }

@@ -142,6 +142,7 @@ TEST_F(SuiteFile, EveryMistakeHasItsPlace) {
         {", \"timeout\": \"3\"", "Expected a number from 0.01 to 86400, \"3\" found instead."},
         {", \"kind\": \"image\"", "Expected a kind of test: text, picture or shown, \"image\" found instead."},
         {", \"output\": \"../x\"", "Expected a file's name without a folder, \"../x\" found instead."},
+        {", \"kind\": \"shown\"", "Expected a command whose second word is the name of the author's own scene, without a folder, \"x\" found"},
         {", \"pass\": []", "Expected at least one threshold, [] found instead."},
         {", \"pass\": [{\"metric\": \"psnr\", \"at_most\": 1}]", "Expected a metric, \"psnr\" found instead."},
         {", \"credit\": {\"metric\": \"rmse\", \"curve\": [[1, 1], [1, 0]]}",
