@@ -41,7 +41,18 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 /// Above 9 for anything but a digit.
 unsigned digit_value(char c) { return static_cast<unsigned char>(c) - unsigned{'0'}; }
 
-bool is_digit(char c) { return digit_value(c) <= 9; }
+bool is_digit(char c) { return class_of(c) == digit; }
+
+/// Hands each of the digits at `at` to `take` and returns their end.
+template <typename Take>
+const char* take_digits(const char* at, const char* end, const Take& take) {
+    for (unsigned d; at != end && (d = digit_value(*at)) <= 9; ++at) take(d);
+    return at;
+}
+
+const char* skip_digits(const char* at, const char* end) {
+    return take_digits(at, end, [](unsigned) {});
+}
 
 constexpr std::array powers_of_ten{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
@@ -50,16 +61,15 @@ constexpr std::array powers_of_ten{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 
 /// if there are too many or none, or an exponent follows.
 const char* scan_short_decimal(const char* at, const char* end, double& value) {
     std::uint64_t number = 0;
-    const auto skip_digits = [&] {
-        const char* const begin = at;
-        for (unsigned d; at != end && (d = digit_value(*at)) <= 9; ++at) number = 10 * number + d;
-        return static_cast<std::size_t>(at - begin);
-    };
-    std::size_t digits = skip_digits();
+    const auto append = [&](unsigned digit) { number = 10 * number + digit; };
+    const char* const begin = at;
+    at = take_digits(begin, end, append);
+    std::size_t digits = at - begin;
     std::size_t decimals = 0;
     if (at != end && *at == '.') {
-        ++at;
-        decimals = skip_digits();
+        const char* const point = at;
+        at = take_digits(point + 1, end, append);
+        decimals = at - point - 1;
         digits += decimals;
     }
     if (digits == 0 || digits >= powers_of_ten.size() || (at != end && (*at == 'e' || *at == 'E'))) return nullptr;
@@ -70,18 +80,12 @@ const char* scan_short_decimal(const char* at, const char* end, double& value) {
 /// End of the literal that begins at `at`: digits with at most one point, then an exponent whose digits may be missing, as POV-Ray reads
 /// it.
 const char* literal_end(const char* at, const char* end) {
-    const auto skip_digits = [&] {
-        while (at != end && is_digit(*at)) ++at;
-    };
-    skip_digits();
-    if (at != end && *at == '.') {
-        ++at;
-        skip_digits();
-    }
+    at = skip_digits(at, end);
+    if (at != end && *at == '.') at = skip_digits(at + 1, end);
     if (at != end && (*at == 'e' || *at == 'E')) {
         ++at;
         if (at != end && (*at == '+' || *at == '-')) ++at;
-        skip_digits();
+        at = skip_digits(at, end);
     }
     return at;
 }
