@@ -8,9 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "core/source.h"
 #include "film/oiio_module.h"
@@ -47,6 +45,13 @@ const FormatEntry& entry_of(ImageFormat format) {
         if (entry.format == format) return entry;
     }
     return formats[0];
+}
+
+/// What a format can hold of an encoding.
+Encoding possible(Encoding encoding, const FormatLimits& limits) {
+    encoding.alpha = encoding.alpha && limits.alpha;
+    encoding.bits = limits.bits_for(encoding.bits);
+    return encoding;
 }
 
 /// Linear light, RGB or RGBA with the colour as it arrived (not divided by alpha).
@@ -121,20 +126,18 @@ FormatLimits limits_of(ImageFormat format) { return entry_of(format).limits; }
 
 void write_image(const Film& film, const std::string& path, ImageFormat format, const Encoding& encoding, const ImageMetadata& metadata) {
     const FormatEntry& entry = entry_of(format);
-    Encoding possible = encoding;
-    possible.alpha = encoding.alpha && entry.limits.alpha;
-    possible.bits = entry.limits.bits_for(encoding.bits);
+    const Encoding held = possible(encoding, entry.limits);
     OutputFile file(path);
     if (film.width < 1 || film.height < 1) file.fail(0, "the picture has no pixels");
     switch (format) {
         case ImageFormat::png:
-            write_png(film, file, possible, metadata);
+            write_png(film, file, held, metadata);
             break;
         case ImageFormat::ppm:
-            write_ppm(film, file, possible);
+            write_ppm(film, file, held);
             break;
         default:
-            write_other(film, file, entry, possible, metadata);
+            write_other(film, file, entry, held, metadata);
     }
     file.commit();
 }
@@ -153,11 +156,7 @@ void check_file_target(const std::string& path) {
 }
 
 std::string png_bytes(const Film& film, const Encoding& encoding, const ImageMetadata& metadata) {
-    const ScratchFile scratch;
-    write_image(film, scratch.path(), ImageFormat::png, encoding, metadata);
-    std::ostringstream bytes;
-    bytes << std::ifstream(scratch.path(), std::ios::binary).rdbuf();
-    return std::move(bytes).str();
+    return png_of(film, possible(encoding, limits_of(ImageFormat::png)), metadata);
 }
 
 namespace {

@@ -101,6 +101,13 @@ void OutputFile::commit() {
     temporary_.clear();
 }
 
+bool same_file(const std::string& path, const std::string& input) {
+    struct stat a {
+    }, b{};
+    if (path == "-" || stat(path.c_str(), &a) != 0 || stat(input.c_str(), &b) != 0) return false;
+    return S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
 ScratchFile::ScratchFile() {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);

@@ -33,6 +33,9 @@ private:
     std::FILE* stream_ = nullptr;
 };
 
+/// Would a file written to `path` take the place of `input`, by whatever names both go?
+bool same_file(const std::string& path, const std::string& input);
+
 /// A file name in the system's folder for temporary files that vanishes with the object.
 class ScratchFile {
 public:

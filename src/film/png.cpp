@@ -103,37 +103,51 @@ void store(const std::vector<std::uint16_t>& numbers, int bits, std::vector<png_
     }
 }
 
+void append(png_structp png, png_bytep data, std::size_t size) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+/// The whole file, to wherever the writer's bytes go; false if libpng gave up.
+bool write_film(const Writer& writer, const Film& film, const Encoding& encoding, const ImageMetadata& metadata) {
+    RowEncoder rows(film, encoding);
+    std::vector<std::uint16_t> numbers(static_cast<std::size_t>(film.width) * rows.channels());
+    std::vector<png_byte> bytes(numbers.size() * (encoding.bits / 8));
+    const std::vector<png_text> text = text_chunks(metadata);
+    if (!guarded(writer.png, [&] { write_header(writer, film, encoding, text); })) return false;
+    for (int y = 0; y < film.height; ++y) {
+        rows.next(numbers.data());
+        store(numbers, encoding.bits, bytes);
+        if (!guarded(writer.png, [&] { png_write_row(writer.png, bytes.data()); })) return false;
+    }
+    return guarded(writer.png, [&] { png_write_end(writer.png, writer.info); });
+}
+
+/// For PNG files that are made in memory.
+void check(bool good, const Writer& writer) {
+    if (!good) throw OutputError(fmt::format("cannot make a PNG: {}", writer.complaint.text));
+}
+
 }  // namespace
 
 void write_png(const Film& film, OutputFile& file, const Encoding& encoding, const ImageMetadata& metadata) {
     Writer writer;
     if (!writer.info) file.fail(ENOMEM);
-    RowEncoder rows(film, encoding);
-    std::vector<std::uint16_t> numbers(static_cast<std::size_t>(film.width) * rows.channels());
-    std::vector<png_byte> bytes(numbers.size() * (encoding.bits / 8));
-    const std::vector<png_text> text = text_chunks(metadata);
-    const auto give_up = [&] {
-        const int code = std::ferror(file.stream()) ? writer.complaint.code : 0;
-        file.fail(code, code ? "" : writer.complaint.text);
-    };
-    if (!guarded(writer.png, [&] {
-            png_init_io(writer.png, file.stream());
-            write_header(writer, film, encoding, text);
-        }))
-        give_up();
-    for (int y = 0; y < film.height; ++y) {
-        rows.next(numbers.data());
-        store(numbers, encoding.bits, bytes);
-        if (!guarded(writer.png, [&] { png_write_row(writer.png, bytes.data()); })) give_up();
-    }
-    if (!guarded(writer.png, [&] { png_write_end(writer.png, writer.info); })) give_up();
+    png_init_io(writer.png, file.stream());
+    if (write_film(writer, film, encoding, metadata)) return;
+    const int code = std::ferror(file.stream()) ? writer.complaint.code : 0;
+    file.fail(code, code ? "" : writer.complaint.text);
+}
+
+std::string png_of(const Film& film, const Encoding& encoding, const ImageMetadata& metadata) {
+    Writer writer;
+    check(writer.info, writer);
+    std::string file;
+    png_set_write_fn(writer.png, &file, append, nullptr);
+    check(write_film(writer, film, encoding, metadata), writer);
+    return file;
 }
 
 namespace {
-
-void append(png_structp png, png_bytep data, std::size_t size) {
-    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
-}
 
 /// The factor from stored numbers to those of a PNG with `bits`.
 float scale_to(int bits, int max_value) {
@@ -155,30 +169,30 @@ void row_numbers(const StoredImage& image, int y, float scale, float full, std::
 std::string png_of(const StoredImage& image) {
     constexpr int color_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
     Writer writer;
-    const auto check = [&](bool good) {
-        if (!good) throw OutputError(fmt::format("cannot make a PNG: {}", writer.complaint.text));
-    };
-    check(writer.info);
+    check(writer.info, writer);
     const int bits = image.max_value > 0 && image.max_value <= 255 ? 8 : 16;
     const float scale = scale_to(bits, image.max_value), full = bits == 16 ? 65535.0f : 255.0f;
     std::string file;
-    check(guarded(writer.png, [&] {
-        png_set_write_fn(writer.png, &file, append, nullptr);
-        png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-        png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), bits,
-                     color_types[image.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_compression_level(writer.png, 2);
-        png_set_filter(writer.png, 0, PNG_FILTER_UP);
-        png_write_info(writer.png, writer.info);
-    }));
+    check(guarded(writer.png,
+                  [&] {
+                      png_set_write_fn(writer.png, &file, append, nullptr);
+                      png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+                      png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                                   bits, color_types[image.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                                   PNG_FILTER_TYPE_DEFAULT);
+                      png_set_compression_level(writer.png, 2);
+                      png_set_filter(writer.png, 0, PNG_FILTER_UP);
+                      png_write_info(writer.png, writer.info);
+                  }),
+          writer);
     std::vector<std::uint16_t> numbers(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels));
     std::vector<png_byte> bytes(numbers.size() * static_cast<std::size_t>(bits / 8));
     for (int y = 0; y < image.height; ++y) {
         row_numbers(image, y, scale, full, numbers);
         store(numbers, bits, bytes);
-        check(guarded(writer.png, [&] { png_write_row(writer.png, bytes.data()); }));
+        check(guarded(writer.png, [&] { png_write_row(writer.png, bytes.data()); }), writer);
     }
-    check(guarded(writer.png, [&] { png_write_end(writer.png, writer.info); }));
+    check(guarded(writer.png, [&] { png_write_end(writer.png, writer.info); }), writer);
     return file;
 }
 

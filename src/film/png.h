@@ -10,6 +10,9 @@ namespace rt {
 /// Throws OutputError.
 void write_png(const Film& film, OutputFile& file, const Encoding& encoding, const ImageMetadata& metadata);
 
+/// The bytes that write_png() writes. Throws OutputError.
+std::string png_of(const Film& film, const Encoding& encoding, const ImageMetadata& metadata);
+
 /// The picture as a PNG file of 8 bits a channel (largest value 255 or less) or 16. Numbers are as they are stored where the largest is 255
 /// or 65535, else scaled to 255 or 65535 and rounded; floating-point ones are clamped to 0..1 and take 16 bits. Throws OutputError.
 std::string png_of(const StoredImage& image);

@@ -9,8 +9,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "core/source.h"
 #include "tests/film/module.h"
@@ -282,6 +284,26 @@ TEST_F(Files, TargetsAreCheckedWithoutATrace) {
 }
 
 TEST_F(Files, EmptyPicturesAreRefused) { EXPECT_THAT(failure(in("p.png"), Film()), HasSubstr("the picture has no pixels")); }
+
+TEST(PngBytes, AreThoseOfTheFileAndNeedNone) {
+    const std::string folder = testing::TempDir();
+    const char* const before = std::getenv("TMPDIR");
+    const std::string kept = before ? before : "";
+    setenv("TMPDIR", "/proc", 1);  // nobody can make a file there
+    for (const int bits : {8, 16}) {
+        Encoding encoding = linear_file(bits);
+        encoding.alpha = bits == 16;
+        const ImageMetadata metadata{{{"Software", "test"}}};
+        const std::string file = folder + "png_bytes.png";
+        write_image(ramp(7, 5), file, ImageFormat::png, encoding, metadata);
+        std::ostringstream written;
+        written << std::ifstream(file, std::ios::binary).rdbuf();
+        EXPECT_EQ(png_bytes(ramp(7, 5), encoding, metadata), written.str());
+        fs::remove(file);
+    }
+    EXPECT_THROW(png_bytes(Film(0, 0), linear_file(), {}), OutputError);
+    before ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
+}
 
 }  // namespace
 }  // namespace rt
