@@ -14,6 +14,7 @@ namespace rt {
 namespace {
 
 using Words = std::vector<std::string>;
+using ValuedOptions = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::array<std::string_view, 6> flags{"-fresnel", "-altbrdf", "-beers", "-sds", "-normals", "-gi"};
 /// Ours that no course option resembles.
@@ -77,6 +78,8 @@ void check_option(const CourseUsage& usage, const std::string& word) {
                                       ours.empty() ? "" : "; in our options it is ", ours));
     }
     const bool threads = name.size() > 2 && name.starts_with("-t") && name.find_first_not_of("0123456789", 2) == name.npos;
+    if ((name == "-o" || name == "--output") && !usage.writes_picture())
+        throw OptionError(fmt::format("option '{}' goes with render and raycast: {} writes no picture", name, usage.command));
     if (threads || name == "-ss" || is_one_of(short_options, name)) return;
     std::vector<std::string> known = render_long_names();
     if (is_one_of(known, name)) return;
@@ -94,8 +97,8 @@ struct Sorted {
     Words positions, ours;
     CourseOptions course;
     bool json = false;
-    Words page;                       ///< pairs of an option and its value
-    Words again;                      ///< all but those
+    ValuedOptions page;
+    Words again;                      ///< all but what is in `page`
     std::vector<std::size_t> places;  ///< of the positions in `again`
 
     void take_position(const std::string& word) {
@@ -106,14 +109,18 @@ struct Sorted {
 };
 
 /// Takes the option at `i` and its value if it is one about the page.
-bool accept_page(const CourseUsage& usage, const Words& words, std::size_t& i, Words& page) {
+bool accept_page(const CourseUsage& usage, const Words& words, std::size_t& i, ValuedOptions& page) {
     const std::size_t equals = words[i].find('=');
     const std::string name = words[i].substr(0, equals);
     if (!usage.page || !is_one_of(page_options, name)) return false;
     if (equals == std::string::npos && i + 1 == words.size()) throw OptionError(fmt::format("option '{}' needs a value", name));
-    page.push_back(name);
-    page.push_back(equals == std::string::npos ? words[++i] : words[i].substr(equals + 1));
-    if (page.back().empty()) throw OptionError(fmt::format("option '{}' needs a value", name));
+    if (equals == std::string::npos && words[i + 1].starts_with("--"))
+        throw OptionError(
+            fmt::format("option '{0}' needs a value, found the option '{1}' (a value of that name: {0}={1})", name, words[i + 1]));
+    const bool again = std::any_of(page.begin(), page.end(), [&](const auto& option) { return option.first == name; });
+    if (again && name != "--pixel") throw OptionError(fmt::format("option '{}' is given twice", name));
+    page.emplace_back(name, equals == std::string::npos ? words[++i] : words[i].substr(equals + 1));
+    if (page.back().second.empty()) throw OptionError(fmt::format("option '{}' needs a value", name));
     return true;
 }
 
@@ -171,13 +178,12 @@ std::optional<PixelPageRequest> page_of(const Sorted& sorted, const CourseArgume
     if (sorted.page.empty()) return {};
     PixelPageRequest page;
     page.pixels.emplace_back(arguments.x, arguments.y);
-    for (std::size_t i = 0; i < sorted.page.size(); i += 2) {
-        const std::string &name = sorted.page[i], &value = sorted.page[i + 1];
+    for (const auto& [name, value] : sorted.page) {
         if (name == "--html") page.file = value;
         if (name == "--grid") page.grid = whole_number(name, value, 0, std::max(arguments.job.width, arguments.job.height));
         if (name == "--pixel") page.pixels.push_back(pixel_of(value, arguments.job));
     }
-    if (page.file.empty()) throw OptionError(fmt::format("option '{}' goes with --html FILE", sorted.page[0]));
+    if (page.file.empty()) throw OptionError(fmt::format("option '{}' goes with --html FILE", sorted.page[0].first));
     if (sorted.json) throw OptionError("--html and --json are two forms of one answer: choose one");
     page.words = sorted.again;
     page.x_word = sorted.places[3], page.y_word = sorted.places[4];

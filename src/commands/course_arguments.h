@@ -18,6 +18,7 @@ struct CourseUsage {
     bool pixel = false;  ///< ... and X Y
     bool tree = false;   ///< tells of all rays, with --json as JSON
     bool page = false;   ///< ... and with --html as a page
+    bool writes_picture() const { return size && !pixel; }
 };
 
 /// What `pixeltrace --html` was asked for.

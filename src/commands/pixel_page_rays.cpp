@@ -1,5 +1,6 @@
 #include "commands/pixel_page_rays.h"
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 
@@ -57,20 +58,23 @@ PixelTexts pixel_texts(const World& world, const Scene& scene, const RenderOptio
     PixelTexts texts;
     texts.pixels.resize(places.size());
     std::atomic<std::size_t> rays{0};
-    texts.complete = trace_pixels(world, options, places, [&](std::size_t number, const std::vector<RayLog>& samples) {
+    const bool complete = trace_pixels(world, options, places, [&](std::size_t number, const std::vector<RayLog>& samples) {
         PixelText& pixel = texts.pixels[number];
         Json told = Json::array();
         for (const RayLog& log : samples) {
             const std::vector<KeptRay> kept = keep_rays(log, most_rays / samples.size());
             pixel.left_out += log.nodes.size() - kept.size();
-            if (rays += kept.size(); rays > most_in_all) continue;
+            if ((rays += kept.size()) > most_in_all) return false;
             Json list = Json::array();
             for (const KeptRay& ray : kept) list.push_back(ray_of(scene, log.nodes[ray.ray], ray));
             told.push_back(std::move(list));
         }
         pixel.samples = line_of(told);
+        return true;
     });
-    texts.rays = rays;
+    texts.too_many = rays > most_in_all;
+    texts.rays = std::min<std::size_t>(rays, most_in_all);  // how far beyond depends on the threads
+    texts.stopped = !complete && !texts.too_many;
     return texts;
 }
 

@@ -19,10 +19,12 @@ struct PixelText {
 struct PixelTexts {
     std::vector<PixelText> pixels;  ///< of each place, in order
     std::size_t rays = 0;           ///< that they tell of
-    bool complete = true;           ///< false after a stop
+    bool too_many = false;          ///< they would tell of more than they may: `rays` is what they may, and the pixels are not all here
+    bool stopped = false;           ///< by `options.stop`: the pixels are not all here
 };
 
-/// At most `most_rays` of each pixel are told. Once a page has more than `most_in_all` they are counted and not written.
+/// At most `most_rays` of each pixel are told, but at least one of each sample. Nothing more is traced once they are more than
+/// `most_in_all`.
 PixelTexts pixel_texts(const World& world, const Scene& scene, const RenderOptions& options, std::span<const PixelPlace> places,
                        std::size_t most_rays, std::size_t most_in_all);
 

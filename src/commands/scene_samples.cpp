@@ -31,7 +31,7 @@ bool SceneSamples::has_many_objects() const { return scene_.objects.size() > man
 
 std::vector<Ray> SceneSamples::rays_of(const PixelSample& sample, const RenderOptions& options, const CameraBasis& camera, double dx,
                                        double dy) const {
-    const int n = options.sampling.method == Sampling::Method::grid ? options.sampling.depth : 1;
+    const int n = samples_a_side(options.sampling);
     std::vector<Ray> rays;
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)

@@ -64,7 +64,7 @@ void find_narrowest(const std::vector<LayerNode>& layers, double below, double& 
 }  // namespace
 
 NarrowLobes narrow_lobes(const World& world, int width, int height, const Sampling& sampling) {
-    const int side = sampling.method == Sampling::Method::grid ? sampling.depth : 1;  // the others divide only what differs already
+    const int side = samples_a_side(sampling);  // the others divide only what differs already
     NarrowLobes narrow{.least_alpha = infinity, .spanned = 0.5 * pixel_angle(world.camera, width, height) / side};
     for (const Material& material : world.materials) {
         double least = infinity;

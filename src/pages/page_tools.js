@@ -67,20 +67,8 @@ function shareBar(share) {
   return make("span", { class: "share", "aria-hidden": "true" }, fill);
 }
 
-/** A channel in the scene's working space as a picture shows it, 0 to 255. `working`: "raw", "srgb" or the exponent to linear light. */
-function shownByte(value, working) {
-  const clamped = Math.min(Math.max(Number(value) || 0, 0), 1);
-  if (working === "raw" || working === "srgb") return Math.round(255 * clamped);
-  const linear = clamped ** working;
-  return Math.round(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055));
-}
-
 function swatch(bytes) {
   const element = make("span", { class: "swatch", "aria-hidden": "true" });
   element.style.backgroundColor = `rgb(${bytes.slice(0, 3).join(" ")})`;
   return element;
-}
-
-function lightSwatch(rgb, working) {
-  return swatch(rgb.map((value) => shownByte(value, working)));
 }

@@ -80,9 +80,10 @@ class PictureView {
     return [element.clientWidth, element.clientHeight];
   }
 
+  /** All of the picture is seen; above 0 where no pane is shown, too. */
   get fitScale() {
     const [width, height] = this.size;
-    return Math.min(width / this.width, height / this.height);
+    return Math.min(Math.max(width, 1) / this.width, Math.max(height, 1) / this.height);
   }
 
   fit() {
@@ -105,7 +106,7 @@ class PictureView {
 
   /** By a factor, about a point of the pane (its middle unless said). */
   zoom(factor, x = this.size[0] / 2, y = this.size[1] / 2) {
-    const scale = Math.min(Math.max(this.scale * factor, this.fitScale), 64);
+    const scale = Math.min(Math.max(this.scale * factor, this.fitScale), Math.max(64, 4 * this.fitScale));
     if (scale === this.fitScale) return this.fit();
     this.left = x - ((x - this.left) * scale) / this.scale;
     this.top = y - ((y - this.top) * scale) / this.scale;

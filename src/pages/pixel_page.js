@@ -39,10 +39,22 @@ function nearestPixel(x, row) {
 
 function select(x, row) {
   Object.assign(selected, { x, row, pixel: nearestPixel(x, row), sample: 0 });
-  history.replaceState(null, "", `#${x},${rowOf(row)}`);
   showPixel();
   showSample();
   view.show();
+  showAddress();
+}
+
+let laterAddress = 0;
+
+/** Browsers refuse more than some hundred addresses a minute, as a key that is held down asks for: then it follows later. */
+function showAddress() {
+  clearTimeout(laterAddress);
+  try {
+    history.replaceState(null, "", `#${selected.x},${rowOf(selected.row)}`);
+  } catch {
+    laterAddress = setTimeout(showAddress, 1000);
+  }
 }
 
 /** The traced pixel that lies in a direction: near, and not far aside. */
@@ -95,7 +107,7 @@ function showPixel() {
   byId("pixel-color").replaceChildren(...colorOf(x, row));
   byId("pixel-shown").textContent = distanceText(pixel);
   byId("pixel-light-name").textContent = pixel.x === x && pixel.row === row ? "Light" : "Light there";
-  byId("pixel-light").replaceChildren(vectorElement(pixel.radiance), " ", lightSwatch(pixel.radiance, pageData.working));
+  byId("pixel-light").replaceChildren(vectorElement(pixel.radiance), " ", lightSwatch(pixel.radiance));
   byId("pixel-command").textContent = commandOf(x, rowOf(row));
   const side = pageData.side;
   byId("sample").replaceChildren(
@@ -104,20 +116,23 @@ function showPixel() {
   byId("sample-choice").hidden = pixel.samples.length === 1;
 }
 
-/** Does the mean of the camera rays make the pixel? Lines over the picture and anti-aliasing that looks at neighbours say no. */
+/** The mean of the camera rays. */
+function lightOfRays(pixel) {
+  return [0, 1, 2].map((c) => sum(pixel.samples.map((rays) => Number(rays[0].radiance[c]))) / pixel.samples.length);
+}
+
+/** Does the light of its rays make the pixel? Lines over the picture and anti-aliasing that looks at neighbours say no. */
 function raysMakeThePixel(pixel) {
-  return [0, 1, 2].every((c) => {
-    const light = Number(pixel.radiance[c]);
-    const mean = sum(pixel.samples.map((rays) => Number(rays[0].radiance[c]))) / pixel.samples.length;
-    return !Number.isFinite(mean) || Math.abs(mean - light) <= 1e-5 * Math.max(Math.abs(mean), Math.abs(light), 1e-30);
-  });
+  const light = numbers(pixel.radiance);
+  return lightOfRays(pixel).every((mean, c) => Math.abs(mean - light[c]) <= 1e-5 * Math.max(Math.abs(mean), Math.abs(light[c]), 1e-30));
 }
 
 function notes(pixel) {
   const texts = [];
   if (pixel.left_out > 0) texts.push(`${pixel.left_out} rays more of this pixel are not in the page: use --json.`);
   if (!pageData.averaged) texts.push("Anti-aliasing has taken more samples than the one shown here.");
-  if (pageData.averaged && !raysMakeThePixel(pixel)) texts.push("The pixel is not what its rays bring: a line is drawn over it.");
+  if (!lightOfRays(pixel).every(Number.isFinite)) texts.push("The light of its rays is not a finite number: the picture has black there.");
+  else if (pageData.averaged && !raysMakeThePixel(pixel)) texts.push("The pixel is not what its rays bring: a line is drawn over it.");
   return texts.join(" ");
 }
 
@@ -187,10 +202,10 @@ function showHead() {
   const { scene, width, height, profile, shading, version, pixels, spacing } = pageData;
   document.title = `Pixels of ${scene}`;
   byId("scene").textContent = scene;
-  const grid = spacing === 0 ? "" : `, a grid of every ${spacing} pixels among them`;
+  const grid = spacing === 0 ? "" : `, a grid of every ${spacing === 1 ? "pixel" : `${spacing} pixels`} among them`;
   byId("about").textContent =
     `${width} × ${height} · profile ${profile} · shading ${shading} · raytrace ${version} · ` +
-    `${pixels.length} pixels traced${grid} · counted from the ${pageData.origin}`;
+    `${pixels.length} ${pixels.length === 1 ? "pixel" : "pixels"} traced${grid} · counted from the ${pageData.origin}`;
 }
 
 function showLegend() {

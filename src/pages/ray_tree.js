@@ -43,7 +43,7 @@ class RayTree {
       make("span", { class: "target" }, this.target(ray)),
       make("span", { class: "percent" }, percentText(share)),
       shareBar(share),
-      lightSwatch(ray.radiance, pageData.working),
+      lightSwatch(ray.radiance),
     );
     const details = make("details", {}, summary);
     details.addEventListener("toggle", () => this.fill(details, ray, index));
@@ -137,7 +137,7 @@ class RayTree {
         { "data-field": "layer" },
         make("th", { scope: "row" }, i === 0 ? "top" : String(i + 1)),
         [...layer.rgb, layer.filter, layer.transmit].map((x) => make("td", {}, numberElement(x))),
-        make("td", {}, lightSwatch(layer.rgb, pageData.working)),
+        make("td", {}, lightSwatch(layer.rgb)),
       ),
     );
     return make("div", {}, make("h3", {}, "Colours of the pattern"), this.table(["layer", "red", "green", "blue", "filter", "transmit", ""], rows));
@@ -153,7 +153,7 @@ class RayTree {
         "li",
         { "data-field": "shadow" },
         `Light ${shadow.light}: ${this.answer(shadow)}${crossed}`,
-        tinted ? make("span", {}, " · ", vectorElement(shadow.transmitted), " ", lightSwatch(arrives, pageData.working)) : null,
+        tinted ? make("span", {}, " · ", vectorElement(shadow.transmitted), " ", lightSwatch(arrives)) : null,
       );
     });
     return make("div", {}, make("h3", {}, "Rays to lights"), make("ul", {}, items));
@@ -173,7 +173,7 @@ class RayTree {
         { "data-field": name, class: kind },
         make("th", { scope: "row" }, name),
         light.map((x) => make("td", {}, numberElement(x))),
-        make("td", {}, lightSwatch(light, pageData.working)),
+        make("td", {}, lightSwatch(light)),
         make("td", {}, shareBar(share)),
         make("td", {}, percentText(share)),
       );

@@ -8,13 +8,15 @@ namespace rt {
 
 namespace {
 
-int samples_a_side(const Sampling& sampling) { return sampling.method == Sampling::Method::grid ? sampling.depth : 1; }
+bool stopped(const RenderOptions& options) { return options.stop && options.stop->load(std::memory_order_relaxed); }
 
+/// Those traced before a stop.
 std::vector<RayLog> samples_of(Tracer& tracer, const World& world, const RenderOptions& options, const PixelPlace& place) {
     const int n = samples_a_side(options.sampling);
     std::vector<RayLog> samples;
     for (int sub_y = place.y * n; sub_y < (place.y + 1) * n; ++sub_y) {
         for (int sub_x = place.x * n; sub_x < (place.x + 1) * n; ++sub_x) {
+            if (stopped(options)) return samples;
             const Ray ray = camera_ray(world.camera, sub_x + 0.5, sub_y + 0.5, options.width * n, options.height * n);
             tracer.camera_ray(ray, samples.emplace_back());
         }
@@ -49,13 +51,11 @@ bool trace_pixels(const World& world, const RenderOptions& options, std::span<co
     std::vector<std::unique_ptr<Tracer>> tracers(static_cast<std::size_t>(worker_count(options.threads, places.size())));
     std::atomic<bool> complete{true};
     for_each_tile(options.threads, places.size(), [&](int worker, std::size_t number) {
-        if (options.stop && options.stop->load(std::memory_order_relaxed)) {
-            complete = false;
-            return;
-        }
+        if (!complete) return;
         std::unique_ptr<Tracer>& tracer = tracers[static_cast<std::size_t>(worker)];
         if (!tracer) tracer = std::make_unique<Tracer>(world, options.trace);
-        take(number, samples_of(*tracer, world, options, places[number]));
+        const std::vector<RayLog> samples = samples_of(*tracer, world, options, places[number]);
+        if (stopped(options) || !take(number, samples)) complete = false;
     });
     return complete;
 }

@@ -28,10 +28,11 @@ struct PixelPlace {
     bool operator==(const PixelPlace&) const = default;
 };
 
-/// Takes the samples of the pixel with this number, as trace_pixel() has them. Called once for each, by several threads at a time.
-using TakeRays = std::function<void(std::size_t number, const std::vector<RayLog>& samples)>;
+/// Takes the samples of the pixel with this number, as trace_pixel() has them. Called once for each, by several threads at a time. False
+/// where no more pixels are wanted.
+using TakeRays = std::function<bool(std::size_t number, const std::vector<RayLog>& samples)>;
 
-/// Rays of many pixels, on `options.threads` threads. False if `options.stop` was raised before the last one.
+/// Rays of many pixels, on `options.threads` threads. False if they are not all: `options.stop` was raised, or `take` wanted no more.
 bool trace_pixels(const World& world, const RenderOptions& options, std::span<const PixelPlace> places, const TakeRays& take);
 
 }  // namespace rt

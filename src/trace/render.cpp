@@ -273,8 +273,7 @@ Region clipped(const RenderOptions& options) {
 
 void check_limits(const RenderOptions& options) {
     check_picture_memory(options.width, options.height, available_memory());
-    const bool grid = options.sampling.method == Sampling::Method::grid;
-    const double side = static_cast<double>(std::max(options.width, options.height)) * (grid ? options.sampling.depth : 1);
+    const double side = static_cast<double>(std::max(options.width, options.height)) * samples_a_side(options.sampling);
     if (side > std::numeric_limits<int>::max() || options.sampling.depth < 1)
         throw LimitError(fmt::format("{} x {} samples a pixel are not possible", options.sampling.depth, options.sampling.depth));
 }

@@ -49,6 +49,8 @@ int sample_grid(const SamplingTask& task, const Region& tile, std::vector<Pixel>
     return tile.height();
 }
 
+int samples_a_side(const Sampling& sampling) { return sampling.method == Sampling::Method::grid ? sampling.depth : 1; }
+
 int sample_tile(const SamplingTask& task, const Region& tile, std::vector<Pixel>& pixels) {
     pixels.assign(static_cast<std::size_t>(tile.width()) * tile.height(), Pixel{});
     switch (task.sampling.method) {

@@ -19,6 +19,9 @@ struct Region {
     int height() const { return y1 - y0; }
 };
 
+/// Every pixel of a grid has n x n samples, any other one to begin with.
+int samples_a_side(const Sampling& sampling);
+
 /// The picture at points (x, y), in pixels of a picture `scale` times as wide and high; pixel (i, j) of the picture itself has its centre
 /// at (i + 1/2, j + 1/2) with scale 1. Asked outside the picture, too. The same point gives the same pixel whenever and in whatever company
 /// it is asked for; neighbours asked for together are cheaper.

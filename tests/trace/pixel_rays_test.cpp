@@ -52,6 +52,7 @@ TEST_P(PixelRaysTest, AverageToThePicture) {
     EXPECT_TRUE(trace_pixels(world, options, places, [&](std::size_t i, const std::vector<RayLog>& samples) {
         ++calls[i];
         rays[i] = samples;
+        return true;
     }));
     EXPECT_EQ(calls, std::vector<int>(places.size(), 1));
     std::size_t deep = 0;
@@ -82,8 +83,29 @@ TEST_P(PixelRaysTest, StopWhenAsked) {
     EXPECT_FALSE(trace_pixels(world, options, places, [&](std::size_t, const std::vector<RayLog>&) {
         ++taken;
         stop = true;
+        return true;
     }));
     EXPECT_LT(taken, 100u);
+}
+
+TEST_P(PixelRaysTest, StopBetweenTheSamplesOfAPixel) {
+    std::atomic<bool> stop{true};
+    options.stop = &stop;
+    const PixelRays none = trace_pixel(world, options, 16, 12);
+    EXPECT_TRUE(none.samples.empty());
+    std::atomic<std::size_t> taken{0};
+    EXPECT_FALSE(trace_pixels(world, options, std::vector<PixelPlace>(9, {16, 12}), [&](std::size_t, const std::vector<RayLog>&) {
+        ++taken;
+        return true;
+    }));
+    EXPECT_EQ(taken, 0u);
+}
+
+TEST_P(PixelRaysTest, EndWhenNoMoreAreWanted) {
+    std::atomic<std::size_t> taken{0};
+    const std::vector<PixelPlace> places(1000, {16, 12});
+    EXPECT_FALSE(trace_pixels(world, options, places, [&](std::size_t, const std::vector<RayLog>&) { return ++taken < 10; }));
+    EXPECT_LT(taken, 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, PixelRaysTest, testing::Values(1, 3));

@@ -13,7 +13,6 @@ DISTANCES = "trace/distances.h"
 CAMERA = "trace/camera.h"
 SURFACES = "world/surfaces.cpp"
 SAMPLING = "trace/sampling.cpp"
-PIXEL_RAYS = "trace/pixel_rays.cpp"
 ENCODING = "commands/encoding.cpp"
 
 U = (CAMERA, "u = [[x / width - 0.5]];")
@@ -286,7 +285,7 @@ FAULTS = {
         "a pixel has one sample",
         [
             (SAMPLING, "switch ([[task.sampling.method]]) {", "Sampling::Method::none"),
-            (PIXEL_RAYS, "return [[sampling.method == Sampling::Method::grid]] ?", "false"),
+            (SAMPLING, "return [[sampling.method == Sampling::Method::grid]] ?", "false"),
         ],
     ),
     "black": (
