@@ -17,7 +17,7 @@ int run_explain(const Words& words) {
     double tolerance = 1e-4;
     bool quiet = false;
     CommandLine line(explain_usage, explain_footer);
-    line.value("--tolerance", "X", "numbers are the same within X, relative above 1 (1e-4)",
+    line.value("--tolerance", "X", "numbers are the same within X, relative over 1 (1e-4)",
                [&](const std::string& v) { tolerance = real_number("tolerance", v, 0.0, 1.0); });
     line.flag("-q,--quiet", "no text; the exit status says it", [&] { quiet = true; });
     try {

@@ -61,7 +61,7 @@ void define(CommandLine& line, GradeJob& job) {
     line.value("-o,--output", "DIR", "reports and known results (grade-results)", [&](const std::string& v) { job.folder = v; });
     line.value("-j,--jobs", "N", "tests at a time (all processors)",
                [&](const std::string& v) { job.parallel = whole_number("jobs", v, 1, 1024); });
-    line.value("--shard", "I/N", "every N-th test from the I-th only; see raytrace merge",
+    line.value("--shard", "I/N", "every N-th test from the I-th only; see help merge",
                [&](const std::string& v) { job.shard = shard_of(v); });
     line.flag("--fresh", "run again what is known", [&] { job.fresh = true; });
     line.flag("--as-is", "take a program that lies among sources; build nothing", [&] { job.as_is = true; });

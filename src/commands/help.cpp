@@ -23,7 +23,7 @@ const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "
     "...";
 const char* const explain_usage =
-    "Usage: raytrace explain [OPTION...] A B\nWhere two records of a pixel's rays part, and what it usually means; A is right.";
+    "Usage: raytrace explain [OPTION...] A B\nWhere two records of a pixel's rays part and what it usually means; A is right.";
 const char* const explain_footer =
     R"(A and B are texts of the course's printrays or pixeltrace, of any program, or
 what ours prints with --json, one beside the other as you like:
@@ -37,8 +37,7 @@ that differs may show first as the effect of another one.
 
 Exit status: 0 same, 1 different, 4 a record cannot be read.)";
 const char* const grade_usage =
-    "Usage: raytrace grade [OPTION...] SUITE --exe PROGRAM\nRuns every test of a suite with any program, contained, and judges what it "
-    "does.";
+    "Usage: raytrace grade [OPTION...] SUITE --exe PROGRAM\nRuns every test of a suite with any program, contained, and judges it.";
 const char* const grade_footer =
     R"(SUITE: a folder as the course lays it out, or a suite file (help suite). Known
 results are not run again: an interrupted grading goes on where it was. A wrong
@@ -49,9 +48,9 @@ const char* const merge_footer = "Results stand in the order of one run; reports
 const char* const versus_usage =
     "Usage: raytrace versus [OPTION...] SCENE|FOLDER...\nPOV-Ray and this program on the same scenes with the same settings.";
 const char* const versus_footer =
-    R"(POV-Ray's switches (+W320 +A0.3 +Ldir +WT2) work, too. See raytrace help versus.
-Exit status: 0 all agree, 1 some do not, 2 interrupted, 3 not written, 4 nothing
-compared: POV-Ray is missing, or a mistake in an option.)";
+    R"(POV-Ray's switches (+W320 +A0.3 +Ldir +WT2) work, too: raytrace help versus.
+Exit status: 0 all agree, 1 some do not, 2 interrupted, 3 not written,
+4 nothing compared: POV-Ray is missing, or a mistake in an option.)";
 const char* const brdf_usage =
     "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check [TABLE] FILE...\n       raytrace brdf normalization | "
     "albedo "
@@ -59,7 +58,7 @@ const char* const brdf_usage =
     "values, and those against known ones.";
 const char* const brdf_footer =
     R"(eval appends a column got_X of 17 digits for each value X of the table; comment
-lines (#) and the cells of a row stay as they are, value columns may be missing.
+lines (#) and the cells of a row stay; value columns may be missing.
 check judges a table's value columns: rows, largest error as a fraction of its
 tolerance, and every row beyond it. A file's name says which table it is, or
 TABLE in front of the files does; - is standard input.
@@ -71,10 +70,10 @@ the other files are judged all the same.)";
 const char* const brdf_plot_usage =
     "Usage: raytrace brdf plot [OPTION...] > plot.svg\nThe lobe of the chosen terms as the viewer sees it, and curves of D, G and F.";
 const char* const brdf_plot_footer =
-    R"(The terms: --preset --material --shading --D --G --F, as in help shading; so are
+    R"(The terms: --preset --material --shading --D --G --F as in help shading; so are
 the numbers --eta --k --f0 (one or R,G,B) --exponent --dw and the variants
 --fresnel-arg nv --half nv --raw on --norm ct1982|ct4m2 --denominator clamped
---blinn-power inverse-roughness --units physical --clamp after --phong-gate off.
+--blinn-power inverse-roughness --units physical --clamp after --phong-gate off
 
 Left, a polar plot of n.l rs (rs with --raw on) for light in the plane of view,
 each curve divided by its maximum, which the legend tells. Right, D over the
@@ -83,8 +82,8 @@ half angle, G over the angle of the light, F over the angle of incidence.)";
 namespace {
 
 constexpr const char* povray_topic =
-    R"(POV-Ray's command line: switches (+W320, -D), settings (Width=320) and INI files
-(scene.ini, scene.ini[section]) may be mixed with our own options, in any order.
+    R"(POV-Ray's command line: switches (+W320, -D), settings (Width=320), INI files
+(scene.ini, scene.ini[section]) may be mixed with our own options in any order.
 
 +Ifile +Ofile      scene and picture; the type's ending is appended to +O
 +Wn +Hn            size                    +SCn +ECn +SRn +ERn   region, from 1
@@ -93,15 +92,15 @@ constexpr const char* povray_topic =
 +Qn                quality 0..11           +UA   alpha channel
 +Ldir              include folder          +MVx  language version
 +WTn               threads                 +Kx   clock of a single picture
-Declare=NAME=VALUE Dither=on  File_Gamma=2.2|srgb  -GA (quiet)  +V/-V (progress)
+Declare=NAME=VALUE Dither=on File_Gamma=2.2|srgb  -GA (quiet)  +V/-V (progress)
 
 What has no meaning here (displays, pauses, bounding, buffers, Display_Gamma,
 message files) is named in one note. Animations are refused.
 )";
 
 constexpr const char* scene_topic =
-    R"(Scenes are those of POV-Ray 3.7. What is not modelled is an error that names it,
-or a warning under --lenient; 'raytrace requires SCENE' lists it.
+    R"(Scenes are those of POV-Ray 3.7. What is not modelled is an error that names
+it, or a warning under --lenient; 'raytrace requires SCENE' lists it.
 
 Includes are searched beside the including file, in the current folder, in the
 folders of -L (Library_Path), in $RAYTRACE_LIBRARY_PATH and in POV-Ray's own.
@@ -212,8 +211,8 @@ raytrace sceneinfo | printbvh SCENE      what it says; boxes halved in x, y, z
 raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
   a pixel's ray, what it meets, its colour, all its rays as a list or a tree
   (--json: with every number; pixeltrace --html FILE: a page, see help pixel).
-  X and Y count from 0 at the bottom left (with --profile povray: top left); the
-  numbers are the picture's.
+  X and Y count from 0 at the bottom left (with --profile povray: top left);
+  the numbers are the picture's.
 
 -ss=N     N x N rays a pixel           -fresnel  glass mirrors by Schlick's law
 -altbrdf  Cook-Torrance, GGX           -beers    glass fades with its thickness
@@ -221,8 +220,9 @@ raytrace pixelray|firsthit|pixelcolor|printrays|pixeltrace SCENE W H X Y
 -gi       indirect light for ambient; -gi_samples=64,16 -gi_bounces=2
 
 Mirrored and transmitted rays begin 0.001 along themselves, shadow rays 0.001
-along the normal; six follow the camera's. Our long options and -o -q -t -L work
-too; --shading povray or another tells of that, --profile povray of our picture.
+along the normal; six follow the camera's. Our long options and -q -t -L work,
+too (-o where a picture is written); --shading povray or another tells of that,
+--profile povray of our picture.
 )";
 
 constexpr const char* pixel_topic =
@@ -240,9 +240,10 @@ no network, and FILE#X,Y opens it at a pixel.
 --grid N        every N pixels one is traced (0: only those asked for); without
                 it as many as make a page of a few megabytes
 --pixel X,Y     one more pixel, may be repeated
-Of a pixel asked for it tells at most 500 rays, of one on the grid 100: those
-nearest to the camera; --json tells all. A page of more than 60000 rays is not
-made. --shading, -ss=N, -fresnel ... are those of the picture.
+Of a pixel asked for it tells at most 500 rays, of one on the grid 100, and at
+least one of each sample: those nearest to the camera; --json tells all. A page
+of more than 60000 rays is refused before the picture is made. --shading,
+-ss=N, -fresnel ... are those of the picture.
 )";
 
 constexpr const char* exit_topic =

@@ -126,7 +126,7 @@ void define_sampling(CommandLine& line, Draft& d) {
 void define_shading(CommandLine& line, RenderJob& job) {
     for (const ModelKey& key : model_keys()) {
         const std::string name(key.key);
-        const std::string help = name == "shading" ? "general (default), povray, phong ...; see help shading" : std::string(key.help);
+        const std::string help = name == "shading" ? "general (default), povray, phong ...: help shading" : std::string(key.help);
         line.value("--" + name, std::string(key.values), help, [&job, name](const std::string& v) {
             const bool povray = name == "shading" && v == "povray";
             if (name == "shading") job.shading = povray ? ShadingModel::povray : ShadingModel::general;

@@ -14,7 +14,7 @@ namespace {
 void expect_fits(const std::string& what, const std::string& text) {
     std::istringstream lines(text);
     int count = 0;
-    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u) << what << ": " << line;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 79u) << what << ": " << line;
     EXPECT_LE(count, 24) << what;
     EXPECT_GE(count, 4) << what;
 }
