@@ -5,8 +5,10 @@
 // Where A is our JSON and B the course's printrays, much of B is not told:   kinds named right in 90 % of their cases,  of all cases
 //                                                                            JSON         JSON and printrays            JSON
 //     scenes/, which the rules had not seen                                  30 of 43     21 of 43                      81 %
-//     scenes/, after the rules were mended by them                           38 of 43     25 of 43                      97 %
-//     drawn scenes, which the rules have not seen                            37 of 41     29 of 41                      96 %
+//     scenes/, after the rules were mended by them                           38 of 43     25 of 43                      97.2 %
+//     drawn scenes, which the rules have not seen                            37 of 41     29 of 41                      96.5 %
+// All of these leave out black, the 44th fault: a record of a pixel that is black cannot tell why all of them are, and "no usual cause" is
+// what most of its cases are called. With it: 38 of 44 and 94.0 % of all cases, 37 of 42 and 93.8 %.
 // Four of these kinds go by a wider name than their own (wrong exponent, wrong diffuse light, filter): half_unnormalised,
 // light_unnormalised, white_lights, opaque_shadows. Below 90 % on the drawn scenes stay offset_missing and offset_reversed (where one lamp
 // alone is hidden, something behind it may hide it as well), fresnel_sides where POV-Ray's rules are followed, and local_unscaled (where
@@ -54,8 +56,10 @@ const std::vector<std::string> rules_of_drawn[] = {
     {"-fresnel"}, {"--profile=povray", "--shading=povray"}, {"-fresnel", "-beers"}, {"--profile=povray"}, {}};
 constexpr unsigned drawn = 15;
 
+constexpr int no_case = -1;  ///< instead of a rate: the fault changes no record
+
 /// Measured rates of right names in percent: of the drawn scenes by JSON, JSON and printrays, JSON and a tree, and of the written ones by
-/// JSON. 0 where there is no case, or none is right.
+/// JSON.
 struct Measured {
     Fault fault;
     int json, printrays, tree, written;
@@ -77,7 +81,7 @@ constexpr Measured measured[] = {
     {Fault::no_shadows, 100, 98, 100, 100},
     {Fault::opaque_shadows, 100, 39, 100, 100},
     {Fault::glass_without_shadow, 100, 98, 98, 100},
-    {Fault::shadow_from_behind, 0, 0, 0, 81},
+    {Fault::shadow_from_behind, no_case, no_case, no_case, 81},
     {Fault::unfiltered, 97, 97, 97, 100},
     {Fault::mirror_untinted, 100, 7, 7, 100},
     {Fault::depth_short, 100, 100, 100, 100},
@@ -103,12 +107,28 @@ constexpr Measured measured[] = {
     {Fault::no_background, 100, 100, 100, 100},
     {Fault::gamma_twice, 100, 100, 100, 97},
     {Fault::gamma_missing, 100, 100, 100, 75},
-    {Fault::no_antialiasing, 0, 0, 0, 100},
+    {Fault::no_antialiasing, no_case, no_case, no_case, 100},
     {Fault::black, 0, 0, 0, 0},
 };
 static_assert(std::size(measured) == 44);
 
-int percent(const Count& count) { return static_cast<int>(std::lround(100.0 * count.rate())); }
+/// The rate is at least the measured one, and there are cases if and only if there were.
+void expect_rate(const Count& count, int rate, std::string_view fault) {
+    if (rate == no_case)
+        EXPECT_EQ(count.cases, 0) << fault;
+    else
+        EXPECT_GT(count.cases, 0) << fault;
+    EXPECT_GE(std::lround(100.0 * count.rate()), rate) << fault;
+}
+
+/// Black has no right name. By JSON 38 cases have no usual cause, on the written scenes as on the drawn ones; the others are called a wrong
+/// gamma.
+void expect_black_unnamed(const std::vector<Tally>& tallies) {
+    const Count& count = tallies[static_cast<std::size_t>(Fault::black)].by_form[0];
+    EXPECT_EQ(count.named.at(Cause::other), 38);
+    EXPECT_EQ(count.named.at(Cause::gamma), count.cases - 38);
+    EXPECT_EQ(count.right, 0);
+}
 
 int reliable(const std::vector<Tally>& tallies, Form form) {
     return static_cast<int>(std::count_if(tallies.begin(), tallies.end(), [&](const Tally& tally) {
@@ -133,8 +153,9 @@ TEST(Faults, ChangePicturesAndAreNamedOnWrittenScenes) {
     for (const Measured& m : measured) {
         const auto i = static_cast<std::size_t>(m.fault);
         EXPECT_GE(tallies[i].pictures, 2) << all_faults()[i].name;
-        EXPECT_GE(percent(tallies[i].by_form[0]), m.written) << all_faults()[i].name;
+        expect_rate(tallies[i].by_form[0], m.written, all_faults()[i].name);
     }
+    expect_black_unnamed(tallies);
     EXPECT_GE(reliable(tallies, Form::json), 38);
 }
 
@@ -152,10 +173,11 @@ TEST(Faults, AreNamedOnScenesThatTheRulesHaveNotSeen) {
     for (const Measured& m : measured) {
         const auto i = static_cast<std::size_t>(m.fault);
         const auto& by_form = tallies[i].by_form;
-        EXPECT_GE(percent(by_form[0]), m.json) << all_faults()[i].name;
-        EXPECT_GE(percent(by_form[1]), m.printrays) << all_faults()[i].name;
-        EXPECT_GE(percent(by_form[2]), m.tree) << all_faults()[i].name;
+        expect_rate(by_form[0], m.json, all_faults()[i].name);
+        expect_rate(by_form[1], m.printrays, all_faults()[i].name);
+        expect_rate(by_form[2], m.tree, all_faults()[i].name);
     }
+    expect_black_unnamed(tallies);
     EXPECT_GE(reliable(tallies, Form::json), 37);
     EXPECT_GE(reliable(tallies, Form::printrays), 29);
 }
