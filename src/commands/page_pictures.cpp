@@ -34,6 +34,7 @@ std::string note_of(const StoredImage& image) {
 bool is_plain_png(const std::string& bytes) {
     constexpr std::string_view start("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
     if (!bytes.starts_with(start) || bytes.size() < 33) return false;
+    if (number_at(bytes, 16) == 0 || number_at(bytes, 20) == 0) return false;
     const int depth = bytes[24], kind = bytes[25], interlaced = bytes[28];
     if ((depth != 8 && depth != 16) || (kind != 0 && kind != 2 && kind != 4 && kind != 6) || interlaced) return false;
     for (std::size_t at = 33; at + 12 <= bytes.size(); at += 12 + std::size_t{number_at(bytes, at)}) {

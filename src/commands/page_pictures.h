@@ -36,7 +36,8 @@ private:
     std::map<std::string, EmbeddedPicture> by_path_, by_content_;
 };
 
-/// Whether a page's script reads the bytes as they are: a PNG with 8 or 16 bits, without palette, transparent colour and interlacing.
+/// Whether a page's script reads the bytes as they are: a PNG that has pixels of 8 or 16 bits, without palette, transparent colour and
+/// interlacing.
 bool is_plain_png(const std::string& bytes);
 
 }  // namespace rt

@@ -103,6 +103,8 @@ TEST(PagePictures, KnowWhatAPageReads) {
         changed[at] = value;
         return is_plain_png(changed);
     };
+    EXPECT_FALSE(with(19, 0));  // no width
+    EXPECT_FALSE(with(23, 0));  // no height
     EXPECT_FALSE(with(24, 4));  // bits
     EXPECT_FALSE(with(25, 3));  // a palette
     EXPECT_FALSE(with(28, 1));  // interlaced
