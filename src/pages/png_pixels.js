@@ -67,18 +67,17 @@ async function unpack(packed, size) {
   return data;
 }
 
-const mostPixels = 64e6;
-
 /**
  * Pixels of a PNG with 8 or 16 bits and no palette: {width, height, channels, depth, values, at(x, y)}. `values` are all numbers, row by
- * row from the top; `at` gives the channels of a pixel, counted from the top left. Rejects for other files.
+ * row from the top; `at` gives the channels of a pixel, counted from the top left. Rejects for other files, and for more than `most` pixels.
  */
-async function decodePng(bytes) {
+async function decodePng(bytes, most = 64e6) {
   const { header, packed } = pngChunks(bytes);
   const channels = { 0: 1, 2: 3, 4: 2, 6: 4 }[header?.kind];
   if (!channels || header.interlaced || header.depth < 8) throw new Error("a kind of PNG that this page does not read");
   const { width, height, depth } = header;
-  if (width * height > mostPixels) throw new Error(`a picture of ${width} × ${height} pixels, too large for this page`);
+  if (width === 0 || height === 0) throw new Error("a picture without pixels");
+  if (width * height > most) throw new Error(`a picture of ${width} × ${height} pixels, too large for this page`);
   const step = (channels * depth) / 8;
   const length = width * step;
   const data = await unpack(packed, height * (length + 1));

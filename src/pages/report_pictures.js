@@ -31,8 +31,34 @@ class RowPictures {
     const found = await Promise.all(pictures.map((picture) => this.load(picture)));
     if (turn !== this.turn) return;
     this.entries = found;
-    this.choice = [0, 1];
-    this.build();
+    this.measure();
+    this.choice = this.firstPair();
+    try {
+      this.build();
+    } catch (error) {
+      this.overlay?.play(false);
+      this.section.replaceChildren(make("h3", {}, "Pictures"), make("p", { class: "missing" }, `cannot be shown: ${error.message}`));
+    }
+  }
+
+  /** The size of what has room for all pictures upon each other; one that makes it too large is not shown. */
+  measure() {
+    [this.width, this.height] = [0, 0];
+    for (const entry of this.entries.filter(({ pixels }) => pixels)) {
+      const { pixels } = entry;
+      const [width, height] = [Math.max(this.width, pixels.width), Math.max(this.height, pixels.height)];
+      if (isShowable(width, height)) {
+        [this.width, this.height] = [width, height];
+      } else {
+        delete entry.pixels;
+        entry.problem = `cannot be shown: a picture of ${pixels.width} × ${pixels.height} pixels, too large for this page`;
+      }
+    }
+  }
+
+  /** The first two that there are. */
+  firstPair() {
+    return this.entries.flatMap(({ pixels }, index) => (pixels ? [index] : [])).slice(0, 2);
   }
 
   async load({ label, picture, missing, note }) {
@@ -46,13 +72,11 @@ class RowPictures {
 
   get pair() {
     const pair = this.choice.map((index) => this.entries[index]);
-    return pair.every((entry) => entry?.pixels) ? pair : null;
+    return pair.length === 2 ? pair : null;
   }
 
   build() {
     const seen = this.entries.filter((entry) => entry.pixels);
-    this.width = Math.max(...seen.map((entry) => entry.pixels.width));
-    this.height = Math.max(...seen.map((entry) => entry.pixels.height));
     const { region } = this.row;
     this.cursor = region?.pixel ?? [this.width >> 1, this.height >> 1];
     this.bar = make("div", { class: "bar" });

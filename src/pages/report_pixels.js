@@ -1,16 +1,32 @@
 // Pictures of a report as numbers: unpacked when they are looked at, drawn as they are stored, and subtracted.
 "use strict";
 
-const mostUnpacked = 8;
+const mostPixels = 2 ** 23; // of a picture: more than 3840 by 2160
+const mostSide = 32767; // as much as a canvas of every browser has
+const mostUnpacked = 2 ** 28; // bytes of all pictures that are kept
 const unpacked = new Map(); // the pictures looked at last, the latest at its end
+
+const isShowable = (width, height) => Math.max(width, height) <= mostSide && width * height <= mostPixels;
+
+/** Drops the pictures that were looked at longest ago until the others are few enough. */
+function forgetOldest() {
+  let bytes = 0;
+  for (const [name, picture] of [...unpacked].reverse()) {
+    bytes += picture.bytes;
+    if (bytes > mostUnpacked) unpacked.delete(name);
+  }
+}
 
 /** A promise of the pixels of a picture by its name in the page. */
 function pixelsOf(name) {
-  const pixels = unpacked.get(name) ?? decodePng(bytesOfBase64(byId(name).textContent));
+  const picture = unpacked.get(name) ?? { pixels: decodePng(bytesOfBase64(byId(name).textContent), mostPixels), bytes: 0 };
   unpacked.delete(name);
-  unpacked.set(name, pixels);
-  if (unpacked.size > mostUnpacked) unpacked.delete(unpacked.keys().next().value);
-  return pixels;
+  unpacked.set(name, picture);
+  return picture.pixels.then((pixels) => {
+    picture.bytes = pixels.values.byteLength;
+    forgetOldest();
+    return pixels;
+  });
 }
 
 const hasAlpha = (pixels) => pixels.channels % 2 === 0;
@@ -45,25 +61,26 @@ function drawPixels(canvas, pixels) {
   canvas.getContext("2d").putImageData(image, 0, 0);
 }
 
-/** How far two pictures are apart, channel by channel, colours multiplied by their alpha; where they overlap. */
+/** How far two pictures are apart, channel by channel, where they overlap; if the first has alpha, colours of both are multiplied by theirs. */
 class PictureDifference {
   constructor(a, b) {
     this.width = Math.min(a.width, b.width);
     this.height = Math.min(a.height, b.height);
     this.apart = new Float32Array(3 * this.width * this.height);
-    this.gather(a, 1);
-    this.gather(b, -1);
+    const byAlpha = hasAlpha(a);
+    this.gather(a, 1, byAlpha);
+    this.gather(b, -1, byAlpha);
     for (let i = 0; i < this.apart.length; ++i) this.apart[i] = Math.abs(this.apart[i]);
   }
 
-  gather(pixels, sign) {
+  gather(pixels, sign, byAlpha) {
     const { apart, width, height } = this;
     eachPixel(pixels, (i, r, g, b, a) => {
       const x = i % pixels.width;
       const y = (i - x) / pixels.width;
       if (x >= width || y >= height) return;
       const at = 3 * (y * width + x);
-      const weight = (sign * a) / 255;
+      const weight = byAlpha ? (sign * a) / 255 : sign;
       apart[at] += weight * r;
       apart[at + 1] += weight * g;
       apart[at + 2] += weight * b;

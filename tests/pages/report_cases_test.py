@@ -26,6 +26,16 @@ CONTROLS = "\u0000\u001b[31m\u202egnp\u2066\u0007\ufeff\u200b"
 NUMBERS = "[...document.querySelectorAll('.values td data')].map((e) => e.value)"
 
 
+def change_data(path, change):
+    """Lets `change` work on what a page's script is given."""
+    text = path.read_text()
+    start = text.index(">", text.index('id="data"')) + 1
+    end = text.index("</script>", start)
+    data = json.loads(text[start:end])
+    change(data)
+    path.write_text(text[:start] + json.dumps(data) + text[end:])
+
+
 @unittest.skipUnless(find_chromium(), "no Chromium here: the pages are not looked at")
 class ReportCases(unittest.TestCase):
     @classmethod
@@ -142,20 +152,22 @@ class ReportCases(unittest.TestCase):
             self.assertIn(said, text)
             self.assertEqual(values, ["1 2 3"])
 
-    def test_three_pictures_are_compared_two_at_a_time(self):
-        """The page of whoever compares more than two programs."""
+    def three_pictures(self):
+        """The page of whoever compares more than two programs: POV-Ray with 10, same with 20, general with 50."""
         grading = Grading(self.place / "shard")
-        files = [png(2, 1, [bytes([v] * 6)]) for v in (10, 20, 50)]
-        for i, file in enumerate(files):
-            grading.add(f"t{i}", kind="shown", outcome="shown", picture=file)
+        for i, value in enumerate((10, 20, 50)):
+            grading.add(f"t{i}", kind="shown", outcome="shown", picture=png(2, 1, [bytes([value] * 6)]))
         path = grading.pages(PROGRAM, self.place / "out") / "report.html"
-        text = path.read_text()
-        start = text.index(">", text.index('id="data"')) + 1
-        end = text.index("</script>", start)
-        data = json.loads(text[start:end])
-        labels = ("POV-Ray", "same", "general")
-        data["rows"][0]["pictures"] = [dict(row["pictures"][0], label=label) for row, label in zip(data["rows"], labels)]
-        path.write_text(text[:start] + json.dumps(data) + text[end:])
+
+        def put_together(data):
+            labels = ("POV-Ray", "same", "general")
+            data["rows"][0]["pictures"] = [dict(row["pictures"][0], label=label) for row, label in zip(data["rows"], labels)]
+
+        change_data(path, put_together)
+        return path
+
+    def test_three_pictures_are_compared_two_at_a_time(self):
+        path = self.three_pictures()
         values, said = self.shown_values(path)
         self.assertEqual(values, ["10 10 10", "20 20 20", "50 50 50", "10 10 10"])
         page = self.open(path)
@@ -164,6 +176,60 @@ class ReportCases(unittest.TestCase):
         page.wait(f"{NUMBERS}.at(-1) === '40 40 40'")
         page.click_on("[data-mode=wipe]")
         self.assertEqual(page.evaluate("[...document.querySelectorAll('.corner')].map((e) => e.textContent)"), ["POV-Ray", "general"])
+
+    def test_the_first_two_pictures_that_are_there_are_compared(self):
+        path = self.three_pictures()
+        change_data(path, lambda data: data["rows"][0]["pictures"].__setitem__(0, {"label": "POV-Ray", "missing": "refused"}))
+        values, said = self.shown_values(path)
+        self.assertEqual(values, ["20 20 20", "50 50 50", "30 30 30"])
+        self.assertIn("refused", said)
+
+    def test_colours_are_multiplied_by_alpha_where_the_first_picture_has_it(self):
+        """As the figures are made (grading/difference.h)."""
+        grading = Grading(self.place / "shard")
+        opaque, half = png(1, 1, [bytes([100, 50, 200])]), png(1, 1, [bytes([100, 50, 200, 51])], channels=4)
+        grading.add("opaque first", outcome="passed", expected=opaque, picture=half)
+        grading.add("alpha first", outcome="wrong answer", expected=half, picture=opaque)
+        page = self.open(grading.pages(PROGRAM, self.place / "out") / "report.html")
+        for index, apart in ((0, [0, 0, 0]), (1, [80, 40, 160])):
+            self.select(page, index)
+            for value, wanted in zip(page.evaluate("Array.from(pictures.apart.apart)"), apart):
+                self.assertAlmostEqual(value, wanted, places=3)
+
+    def test_a_picture_without_pixels(self):
+        grading = Grading(self.place / "shard")
+        empty = png(0, 0, [])
+        grading.add("empty", outcome="wrong answer", picture=empty, expected=png(1, 1, [bytes(3)]))
+        path = grading.pages(PROGRAM, self.place / "out") / "report.html"
+        values, said = self.shown_values(path)
+        self.assertEqual(values, ["0 0 0"])
+        self.assertIn("its file is no picture that can be read", said)
+        message = self.open(path).evaluate(f"decodePng(new Uint8Array({list(empty)})).then(() => 'read', (error) => error.message)")
+        self.assertEqual(message, "a picture without pixels")
+
+    def test_what_goes_wrong_with_pictures_is_said(self):
+        page = self.open(self.three_pictures())
+        page.evaluate("pictures.fillPanes = () => { throw new Error('no canvas') }")
+        self.select(page, 0)
+        self.assertIn("cannot be shown: no canvas", page.evaluate("byId('pictures').innerText"))
+
+    def test_large_pictures_do_not_stop_the_page(self):
+        grading = Grading(self.place / "shard")
+        small, large = png(1, 1, [bytes([1, 2, 3])]), png(4096, 2049, [bytes(4096)] * 2049, channels=1)
+        grading.add("large", outcome="wrong answer", picture=large, expected=small)
+        grading.add("together", outcome="wrong answer", picture=png(1, 30000, [bytes(1)] * 30000, channels=1), expected=png(30000, 1, [bytes(30000)], channels=1))
+        grading.add("long", outcome="wrong answer", picture=png(40000, 1, [bytes(40000)], channels=1), expected=small)
+        for i in range(5):  # of 64 MiB each when unpacked
+            grading.add(f"many {i}", kind="shown", outcome="shown", picture=png(4096, 2048, [bytes([i]) * (8 * 4096)] * 2048, channels=4, depth=16))
+        path = grading.pages(PROGRAM, self.place / "out") / "report.html"
+        for index, values, said in ((0, ["1 2 3"], "4096 × 2049 pixels, too large"), (1, ["0"], "1 × 30000 pixels, too large"), (2, ["1 2 3"], "40000 × 1 pixels, too large")):
+            found, text = self.shown_values(path, index)
+            self.assertEqual(found, values)
+            self.assertIn(said, text)
+        page = self.open(path, "#many%200")
+        for index in range(3, 8):
+            self.select(page, index)
+        self.assertEqual(page.evaluate("[...unpacked.keys()].length"), 4)
 
     def test_many_programs(self):
         grading = Grading(self.place / "shard")
