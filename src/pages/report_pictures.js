@@ -119,6 +119,7 @@ class RowPictures {
       if (canvas) {
         drawPixels(canvas, entry.pixels);
         canvases.push(canvas);
+        entry.canvas = canvas;
       }
       this.sideBySide.append(this.figure(entry, canvas));
     }
@@ -150,7 +151,7 @@ class RowPictures {
     this.apart.draw(this.difference, gainOf(this.settings.gainSteps));
     this.overlay.layers.forEach((layer, i) => {
       layer.getContext("2d").clearRect(0, 0, layer.width, layer.height);
-      drawPixels(layer, this.pair[i].pixels);
+      layer.getContext("2d").drawImage(this.pair[i].canvas, 0, 0);
     });
   }
 

@@ -52,11 +52,12 @@ function canvasOf(width, height, className) {
 /** Shows the numbers of a picture, whatever colour space its file states; the canvas may be larger. */
 function drawPixels(canvas, pixels) {
   const image = new ImageData(pixels.width, pixels.height);
+  const { data } = image;
   eachPixel(pixels, (i, r, g, b, a) => {
-    image.data[4 * i] = r;
-    image.data[4 * i + 1] = g;
-    image.data[4 * i + 2] = b;
-    image.data[4 * i + 3] = a;
+    data[4 * i] = r;
+    data[4 * i + 1] = g;
+    data[4 * i + 2] = b;
+    data[4 * i + 3] = a;
   });
   canvas.getContext("2d").putImageData(image, 0, 0);
 }
@@ -90,11 +91,13 @@ class PictureDifference {
   /** Black where they are the same. */
   draw(canvas, gain) {
     const image = new ImageData(this.width, this.height);
-    for (let i = 0, from = 0; i < image.data.length; i += 4, from += 3) {
-      image.data[i] = gain * this.apart[from];
-      image.data[i + 1] = gain * this.apart[from + 1];
-      image.data[i + 2] = gain * this.apart[from + 2];
-      image.data[i + 3] = 255;
+    const { data } = image;
+    const { apart } = this;
+    for (let i = 0, from = 0; i < data.length; i += 4, from += 3) {
+      data[i] = gain * apart[from];
+      data[i + 1] = gain * apart[from + 1];
+      data[i + 2] = gain * apart[from + 2];
+      data[i + 3] = 255;
     }
     canvas.getContext("2d").putImageData(image, 0, 0);
   }
