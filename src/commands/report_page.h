@@ -35,9 +35,10 @@ struct ReportRow {
     ///     commands     [[whose, text], ...] instead of one command
     ///     facts        [[name, text], ...]
     ///     phases       [[program, [[phase, seconds], ...]], ...], the same phases for all
-    ///     lines        of two texts side by side: [[number, text, number, text, [differing fields]], ...], numbers 0 where a line is
-    ///     missing lines_note   how they were compared region       {box: [x0, y0, x1, y1] with its ends excluded, pixel: [x, y], pixels},
-    ///     from the top left
+    ///     lines        of two texts side by side, [[number, text, number, text, [differing fields]], ...]
+    ///                  with number 0 where a line is missing
+    ///     lines_note   how they were compared
+    ///     region       {box: [x0, y0, x1, y1], pixel: [x, y], pixels} from the top left, x1 and y1 excluded
     nlohmann::ordered_json data;
     std::vector<ReportPicture> pictures;
 };
