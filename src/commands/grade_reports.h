@@ -36,7 +36,8 @@ std::string gradescope_text(const std::vector<Result>& results);
 /// For a terminal: one program's tests, or a line for each of many programs.
 std::string table_text(const GradeRecord& record);
 
-/// The name of a program's own files, without their ending.
+/// The name of a program's own files, without their ending: the program's, with a hash of it behind where that is too long or has a
+/// slash, so that no two programs share a file.
 std::string report_file_name(const std::string& submission);
 
 /// Writes results.json, times.json, tests.json, results.csv, junit.xml and gradescope.json (of many programs gradescope/NAME.json) into

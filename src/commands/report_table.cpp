@@ -59,6 +59,14 @@ std::string many_table(const std::vector<std::vector<Result>>& groups) {
     return text;
 }
 
+/// At most `most`, and not within a character of UTF-8.
+std::size_t utf8_boundary(const std::string& text, std::size_t most) {
+    if (text.size() <= most) return text.size();
+    std::size_t end = most;
+    while (end > 0 && most - end < 3 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    return end;
+}
+
 }  // namespace
 
 std::string table_text(const GradeRecord& record) {
@@ -69,9 +77,11 @@ std::string table_text(const GradeRecord& record) {
 
 std::string report_file_name(const std::string& submission) {
     constexpr std::size_t longest = 180;  // a file's name may have 255 bytes, with its ending and what is put behind while it is written
-    std::string name = submission.size() <= longest ? submission : submission.substr(0, longest - 33) + "-" + hash_of(submission);
+    constexpr std::size_t before_hash = longest - 33;
+    if (submission.size() <= longest && submission.find('/') == submission.npos) return submission;
+    std::string name = submission.substr(0, utf8_boundary(submission, before_hash));
     std::replace(name.begin(), name.end(), '/', '_');
-    return name;
+    return name + "-" + hash_of(submission);
 }
 
 void write_reports(const GradeRecord& record, const std::string& folder, bool all_pictures) {

@@ -155,10 +155,25 @@ TEST(ReportRow, IsGoodAsTheTableIs) {
 }
 
 TEST(ReportFiles, NamesAreFilesNames) {
-    EXPECT_EQ(report_file_name("a/b"), "a_b");
+    EXPECT_EQ(report_file_name("a_b #2 ü"), "a_b #2 ü");
+    EXPECT_THAT(report_file_name("a/b"), testing::StartsWith("a_b-"));
+    EXPECT_NE(report_file_name("a/b"), report_file_name("a_b"));
+    EXPECT_NE(report_file_name("a/b/c"), report_file_name("a/b_c"));
     const std::string one(250, 'x'), other = one + "y";
     EXPECT_LE(report_file_name(one).size(), 180u);
     EXPECT_NE(report_file_name(one), report_file_name(other));
+}
+
+TEST(ReportFiles, LongNamesAreCutBetweenCharacters) {
+    const std::string cat = "\xf0\x9f\x90\xb1";
+    std::string cats;
+    for (int i = 0; i < 60; ++i) cats += cat;
+    for (std::size_t before = 0; before < 4; ++before) {
+        const std::string name = report_file_name(std::string(before, 'x') + cats);
+        EXPECT_LE(name.size(), 180u);
+        EXPECT_THAT(name, HasSubstr(cat + "-")) << "the last one is whole";
+    }
+    EXPECT_LE(report_file_name(std::string(250, '\x80')).size(), 180u);  // no UTF-8 at all
 }
 
 TEST(ReportFiles, PicturesAndTestsComeBack) {
