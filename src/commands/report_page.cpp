@@ -35,7 +35,7 @@ std::string head_of(const ReportPage& page) {
     Json head = {{"format", "raytrace report 1"}, {"version", program_version()}, {"title", page.title}, {"about", page.about}};
     head["facts"] = page.facts, head["notes"] = page.notes;
     if (!page.back_href.empty()) head["back"] = {{"href", page.back_href}, {"text", page.back}};
-    head["rows_name"] = page.rows_name, head["columns"] = columns;
+    head["rows_name"] = page.rows_name, head["bad_name"] = page.bad_name, head["columns"] = columns;
     std::string text = line_of(head);
     text.pop_back();
     return text;

@@ -38,6 +38,7 @@ struct ReportRow {
     ///     lines        of two texts side by side, [[number, text, number, text, [differing fields]], ...]
     ///                  with number 0 where a line is missing
     ///     lines_note   how they were compared
+    ///     pair         [first, second] pictures by number, which are compared at first; else the first two that there are
     ///     region       {box: [x0, y0, x1, y1], pixel: [x, y], pixels} from the top left, x1 and y1 excluded
     nlohmann::ordered_json data;
     std::vector<ReportPicture> pictures;
@@ -47,10 +48,11 @@ struct ReportPage {
     std::string title;  ///< the heading
     std::string about;  ///< a line below it
     std::vector<std::pair<std::string, std::string>> facts;
-    std::vector<std::string> notes;     ///< what the reader has to know first
-    std::string back_href, back;        ///< a link in the head, relative; empty: none
-    std::string rows_name = "tests";    ///< what a row is, many of them
-    std::vector<ReportColumn> columns;  ///< the first names the row, the second may be its outcome
+    std::vector<std::string> notes;       ///< what the reader has to know first
+    std::string back_href, back;          ///< a link in the head, relative; empty: none
+    std::string rows_name = "tests";      ///< what a row is, many of them
+    std::string bad_name = "Not passed";  ///< what those that are not good are called
+    std::vector<ReportColumn> columns;    ///< the first names the row, the second may be its outcome
     std::vector<ReportRow> rows;
 };
 

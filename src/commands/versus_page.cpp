@@ -21,30 +21,34 @@ constexpr std::string_view titles[makers] = {"POV-Ray", "Same shading", "General
 
 std::string_view title_of(Maker maker) { return titles[static_cast<std::size_t>(maker)]; }
 
-std::vector<ReportColumn> columns() {
+/// Of our two pictures the one that is not judged.
+Maker other_of(Maker judged) { return judged == Maker::same ? Maker::general : Maker::same; }
+
+std::vector<ReportColumn> columns(Maker judged) {
+    const auto hint = [&](std::string_view text) { return fmt::format("{}: {}", title_of(judged), text); };
     return {{"name", "Scene", CellKind::text, ""},
-            {"outcome", "Cause", CellKind::outcome, ""},
-            {"beyond", "Beyond", CellKind::count, "pixels of ours with POV-Ray's shading that lie beyond the step in a channel"},
-            {"rmse", "RMSE", CellKind::figure, "with POV-Ray's shading: root of the mean squared difference, 1 is full scale"},
-            {"p99", "p99", CellKind::figure, "with POV-Ray's shading: 99 % of the pixels differ by no more than that, 1 is full scale"},
-            {"flip", "FLIP", CellKind::figure, "with POV-Ray's shading: mean LDR-FLIP"},
-            {"neighbourhood", "3×3", CellKind::figure,
-             "with POV-Ray's shading: mean difference to the most similar of the 3 by 3 pixels around"},
-            {"general_rmse", "General RMSE", CellKind::figure, "of the general form"},
+            {"outcome", "Cause", CellKind::outcome, hint("what became of it")},
+            {"beyond", "Beyond", CellKind::count, hint("pixels that lie beyond the step in a channel")},
+            {"rmse", "RMSE", CellKind::figure, hint("root of the mean squared difference, 1 is full scale")},
+            {"p99", "p99", CellKind::figure, hint("99 % of the pixels differ by no more than that, 1 is full scale")},
+            {"flip", "FLIP", CellKind::figure, hint("mean LDR-FLIP")},
+            {"neighbourhood", "3×3", CellKind::figure, hint("mean difference to the most similar of the 3 by 3 pixels around")},
+            {"other_rmse", other_of(judged) == Maker::same ? "Same RMSE" : "General RMSE", CellKind::figure,
+             fmt::format("{}, which is not judged", title_of(other_of(judged)))},
             {"missing", "Not modelled", CellKind::text, ""},
             {"povray_wall", "POV-Ray", CellKind::seconds, "seconds of the clock"},
             {"same_wall", "Same", CellKind::seconds, "seconds of the clock, with POV-Ray's shading"},
             {"general_wall", "General", CellKind::seconds, "seconds of the clock, of the general form"}};
 }
 
-Json cells_of(const VersusResult& result, const std::string& missing) {
+Json cells_of(const VersusResult& result, Maker judged, const std::string& missing) {
     Json cells = {{"name", result.name}, {"outcome", name_of(cause_names, result.cause)}};
-    if (const std::optional<Likeness>& like = result.like(Maker::same)) {
+    if (const std::optional<Likeness>& like = result.like(judged)) {
         cells["beyond"] = like->beyond;
         for (const Metric metric : {Metric::rmse, Metric::p99, Metric::flip, Metric::neighbourhood})
             cells[std::string(name_of(metric_names, metric))] = like->figures[metric];
     }
-    if (const std::optional<Likeness>& like = result.like(Maker::general)) cells["general_rmse"] = like->figures[Metric::rmse];
+    if (const std::optional<Likeness>& like = result.like(other_of(judged))) cells["other_rmse"] = like->figures[Metric::rmse];
     if (!missing.empty()) cells["missing"] = missing;
     for (const auto& [name, maker] : maker_names)
         if (result.run(maker).state == VersusRun::State::done) cells[fmt::format("{}_wall", name)] = result.run(maker).wall_seconds;
@@ -123,7 +127,10 @@ ReportRow row_of(const VersusResult& result, const VersusLimits& limits, const s
         if (!run.message.empty() && reason.find(run.message) == reason.npos)
             reason += fmt::format("{}{}: {}", reason.empty() ? "" : "\n", title_of(maker), run.message);
     }
-    row.data = {{"name", result.name}, {"good", counts_as_agreeing(result.cause)}, {"cells", cells_of(result, missing_names(result))}};
+    row.data = {{"name", result.name},
+                {"good", counts_as_agreeing(result.cause)},
+                {"cells", cells_of(result, limits.judged, missing_names(result))},
+                {"pair", {Maker::povray, limits.judged}}};
     if (!reason.empty()) row.data["reason"] = reason;
     row.data["commands"] = commands, row.data["facts"] = facts_of(result), row.data["phases"] = phases_of(result);
     if (const std::optional<Likeness>& like = result.like(limits.judged); like && like->region) {
@@ -146,9 +153,9 @@ std::string versus_page_text(const VersusRecord& record, const std::string& fold
         const auto count = std::count_if(record.results.begin(), record.results.end(), is_of);
         if (count > 0 && cause != VersusCause::agrees) page.facts.emplace_back(name, fmt::format("{}", count));
     }
-    page.notes.push_back(
-        fmt::format("A scene agrees if {:g} % of the pixels lie within {:g} of 255 in every channel and the RMSE is below {:g}.",
-                    record.limits.percent, record.limits.step, record.limits.rmse));
+    page.notes.push_back(fmt::format(
+        "{} is judged: a scene agrees if {:g} % of the pixels lie within {:g} of 255 in every channel and the RMSE is below {:g}.",
+        title_of(record.limits.judged), record.limits.percent, record.limits.step, record.limits.rmse));
     const std::vector<MissingCount> missing = missing_counts(record.results);
     if (!missing.empty()) {
         std::string text = "Not modelled, by the scenes that ask for nothing else:";
@@ -157,8 +164,8 @@ std::string versus_page_text(const VersusRecord& record, const std::string& fold
         text.back() = '.';
         page.notes.push_back(text);
     }
-    page.rows_name = "scenes";
-    page.columns = columns();
+    page.rows_name = "scenes", page.bad_name = "Not agreeing";
+    page.columns = columns(record.limits.judged);
     for (const VersusResult* result : worst_first(record)) page.rows.push_back(row_of(*result, record.limits, folder));
     return report_page(page, {.left_out = "left out of this page so that it stays small; it lies in the folder of the pictures"});
 }

@@ -56,8 +56,10 @@ class RowPictures {
     }
   }
 
-  /** The first two that there are. */
+  /** The two that the row names, else the first two that there are. */
   firstPair() {
+    const named = this.row.pair ?? [];
+    if (named.length === 2 && named.every((index) => this.entries[index]?.pixels)) return [...named];
     return this.entries.flatMap(({ pixels }, index) => (pixels ? [index] : [])).slice(0, 2);
   }
 
@@ -82,7 +84,7 @@ class RowPictures {
     this.bar = make("div", { class: "bar" });
     this.sideBySide = make("div", { class: "panes" });
     this.over = make("div", { class: "panes over" });
-    this.values = make("table", { class: "values", "aria-label": "Values of the pixel" });
+    this.values = make("table", { class: "values", "aria-label": "Values of the pixel", "aria-live": "polite", "aria-atomic": "true" });
     this.section.replaceChildren(make("h3", {}, "Pictures"), this.bar, this.sideBySide, this.over, this.values);
     if (seen.length === 0) {
       this.bar.hidden = this.values.hidden = true;

@@ -31,14 +31,14 @@ function outcomeElement(row, text) {
 /**
  * new ReportTable(element, data, onSelect)
  *
- * data      columns, rows and rows_name as report_page.h has them
+ * data      columns, rows, rows_name and bad_name as report_page.h has them
  * onSelect  (index): a row was selected; without it rows are only links
  *
  * Arrow keys, Home, End, Page Up and Page Down go from row to row.
  */
 class ReportTable {
   constructor(element, data, onSelect = null) {
-    Object.assign(this, { columns: data.columns, rows: data.rows, rowsName: data.rows_name, onSelect });
+    Object.assign(this, { columns: data.columns, rows: data.rows, rowsName: data.rows_name, badName: data.bad_name, onSelect });
     this.sorted = { key: null, direction: 1 };
     this.selected = null;
     this.texts = this.rows.map((row) => {
@@ -84,11 +84,12 @@ class ReportTable {
     this.words = make("input", { type: "search", placeholder: "Filter", "aria-label": `Filter ${this.rowsName} by words`, spellcheck: "false" });
     const outcomes = [...new Set(this.rows.map((row) => row.cells.outcome))].filter((outcome) => outcome !== undefined);
     const count = (test) => this.rows.filter(test).length;
-    const choices = [["all", "All", () => true], ["bad", "Not passed", (row) => !row.good]];
+    const choices = [["all", "All", () => true], ["bad", this.badName, (row) => !row.good]];
     for (const outcome of outcomes) choices.push([`= ${outcome}`, outcome, (row) => row.cells.outcome === outcome]);
     this.choices = new Map(choices.map(([value, , test]) => [value, test]));
     const options = choices.map(([value, text, test]) => make("option", { value }, `${text} (${count(test)})`));
-    this.outcome = make("select", { "aria-label": "Outcome" }, options);
+    const column = this.columns.find(({ kind }) => kind === "outcome");
+    this.outcome = make("select", { "aria-label": column?.title ?? "Outcome" }, options);
     this.count = make("output", { "aria-label": `${this.rowsName} shown` });
     this.words.addEventListener("input", () => this.order());
     this.outcome.addEventListener("change", () => this.order());

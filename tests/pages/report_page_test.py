@@ -163,6 +163,7 @@ class ReportTest(unittest.TestCase):
 
     def test_a_pixel_is_chosen_by_the_keyboard(self):
         page = self.open()
+        self.assertEqual(page.evaluate("document.querySelector('.values').closest('[aria-live]')?.ariaLive"), "polite")
         page.tab_to("document.activeElement.classList.contains('pane')")
         for key, place in (("ArrowRight", "15,9"), ("ArrowDown", "15,10"), ("ArrowLeft", "14,10"), ("ArrowUp", "14,9")):
             page.key(key)

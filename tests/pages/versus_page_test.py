@@ -54,6 +54,9 @@ class VersusPage(unittest.TestCase):
         run = subprocess.run([PROGRAM, "versus", "scenes", "-W", "64", "-H", "48", "--povray", "./stand_in", "-q"], cwd=place)
         assert run.returncode == 1
         cls.results = json.loads((place / "versus-results/results.json").read_text())
+        words = ["--judge", "general", "-o", "general", "--povray", "./stand_in", "-q"]
+        run = subprocess.run([PROGRAM, "versus", "scenes/same.pov", "scenes/moved.pov", "-W", "64", "-H", "48", *words], cwd=place)
+        assert run.returncode == 1
         cls.browser = Browser().__enter__()
         cls.page = cls.browser.open(place / "versus-results/report.html")
         cls.page.wait("document.documentElement.dataset.ready !== undefined")
@@ -108,6 +111,29 @@ class VersusPage(unittest.TestCase):
         self.show("scenes/two")
         self.assertRegex(self.page.evaluate("byId('row-reason').textContent"), r"two\.pov:6:1: blob is not modelled")
         self.assertEqual(len(self.all("#pictures .pane")), 1)
+
+    def test_rows_are_filtered_by_cause(self):
+        self.assertEqual(self.all(".filter select", "e.ariaLabel"), ["Cause"])
+        self.assertEqual(self.all(".filter option")[:2], ["All (4)", "Not agreeing (3)"])
+
+    def test_what_is_judged_is_shown_first(self):
+        results = json.loads((self.place / "general" / "results.json").read_text())
+        moved = next(s for s in results["scenes"] if s["scene"].endswith("moved"))
+        pages = {"Same shading": self.page, "General form": self.browser.open(self.place / "general" / "report.html")}
+        pages["General form"].wait("document.documentElement.dataset.ready !== undefined")
+        self.show("scenes/moved")
+        for judged, page in pages.items():
+            with self.subTest(judged):
+                pair = page.evaluate("[...document.querySelectorAll('.pair select')].map((e) => e.selectedOptions[0].text)")
+                self.assertEqual(pair, ["POV-Ray", judged])
+                self.assertIn(f"{judged} is judged", page.evaluate("byId('head').innerText"))
+        cells = pages["General form"].evaluate("pageData.rows.find((row) => row.name.endsWith('moved')).cells")
+        self.assertEqual(cells["beyond"], moved["general"]["likeness"]["beyond"])
+        self.assertNotEqual(cells["beyond"], moved["same"]["likeness"]["beyond"])
+        self.assertEqual(cells["rmse"], moved["general"]["likeness"]["figures"]["rmse"])
+        self.assertEqual(cells["other_rmse"], moved["same"]["likeness"]["figures"]["rmse"])
+        self.assertIn("Same RMSE", pages["General form"].evaluate("byId('table').innerText"))
+        pages["General form"].assert_clean()
 
     def test_nothing_is_asked_of_the_network(self):
         self.page.assert_clean()
