@@ -65,7 +65,7 @@ struct PictureChoice {
 
 /// The page: one file that asks the network for nothing. Files of the same bytes stand in it once; what is no plain PNG (8 or 16 bits, no
 /// palette, not interlaced) is converted, and the page says so where numbers change by that. A file that cannot be read is told of in the
-/// page. The same rows and files give the same bytes.
+/// page, and so is a picture of more than 2^23 pixels (3840 x 2160 is less). The same rows and files give the same bytes.
 std::string report_page(const ReportPage& page, const PictureChoice& choice);
 
 /// A page of the table alone, whose rows lead to pages of their own (`href`).

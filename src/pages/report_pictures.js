@@ -84,7 +84,7 @@ class RowPictures {
     this.bar = make("div", { class: "bar" });
     this.sideBySide = make("div", { class: "panes" });
     this.over = make("div", { class: "panes over" });
-    this.values = make("table", { class: "values", "aria-label": "Values of the pixel", "aria-live": "polite", "aria-atomic": "true" });
+    this.values = make("table", { class: "values", "aria-label": "Values of the pixel", "aria-atomic": "true" });
     this.section.replaceChildren(make("h3", {}, "Pictures"), this.bar, this.sideBySide, this.over, this.values);
     if (seen.length === 0) {
       this.bar.hidden = this.values.hidden = true;
@@ -254,6 +254,7 @@ class RowPictures {
   /** The pixel under the pointer, else the chosen one, in every picture. */
   showValues() {
     const [x, y] = this.pointed ?? this.cursor;
+    this.values.setAttribute("aria-live", this.pointed ? "off" : "polite"); // a pointer is too quick to be told of
     const line = (label, numbers, color) => {
       const sample = color ? swatch(color) : "";
       const text = numbers === null ? "outside" : numbers.map((number) => integer.format(number)).join("  ");
