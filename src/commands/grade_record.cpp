@@ -39,6 +39,13 @@ Json test_json(const TestCase& test) {
             {"fuzz", test.fuzz_percent}, {"tolerance", test.tolerance}, {"pass", std::move(pass)}};
 }
 
+Shard shard_of(const JsonValue& value) {
+    if (value.size() != 2) value.fail("a shard's number and how many there are");
+    const std::size_t number = value.item(0).count(), of = value.item(1).count();
+    if (number < 1 || number > of) value.fail("a shard's number, from 1 to how many there are");
+    return {number - 1, of};
+}
+
 TestCase test_of(const JsonValue& value) {
     TestCase test;
     test.name = value["name"].word(), test.expected = value["expected"].word();
@@ -100,7 +107,7 @@ GradeRecord read_record(const std::string& folder) {
     const JsonValue results(results_file, results_content), times(times_file, times_content);
     expect_format(results, results_format), expect_format(times, times_format);
     GradeRecord record{results["suite"].word(), {}, {}, {}, {}};
-    record.shard = {results["shard"].item(0).count() - 1, results["shard"].item(1).count()};
+    record.shard = shard_of(results["shard"]);
     for (std::size_t i = 0; i < results["holes"].size(); ++i) record.holes.push_back(results["holes"].item(i).word());
     const JsonValue list = results["results"], time_list = times["times"];
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -49,6 +49,11 @@ std::size_t JsonValue::size() const {
     return content_->size();
 }
 
+JsonValue JsonValue::item(std::size_t index) const {
+    if (index >= size()) fail(fmt::format("a list of {} or more values", index + 1));
+    return below((*content_)[index], std::to_string(index));
+}
+
 void JsonValue::expect_only(std::initializer_list<std::string_view> known) const {
     if (!content_->is_object()) fail("an object");
     for (const auto& [name, value] : content_->items()) {

@@ -25,7 +25,8 @@ public:
     bool is_word() const { return content_->is_string(); }
 
     JsonValue operator[](const char* name) const;
-    JsonValue item(std::size_t index) const { return below((*content_)[index], std::to_string(index)); }
+    /// Of a list.
+    JsonValue item(std::size_t index) const;
     /// Of a list.
     std::size_t size() const;
     /// Members of an object that are none of `known` are refused.
