@@ -44,7 +44,9 @@ results are not run again: an interrupted grading goes on where it was. A wrong
 answer has its usual cause in the table, what speaks for it in results.json.
 Exit status: 0, or 1 if one program is graded and a required test failed.)";
 const char* const merge_usage = "Usage: raytrace merge [OPTION...] DIR...\nJoins the results of a grading's shards: DIR are their outputs.";
-const char* const merge_footer = "Results stand in the order of one run; reports are the same bytes.";
+const char* const merge_footer = R"(Results stand in the order of one run; reports are the same bytes. Shards that
+are not all of one grading are refused.
+Exit status: 0, whatever passed; 2 if tests were not run, with all reports.)";
 const char* const versus_usage =
     "Usage: raytrace versus [OPTION...] SCENE|FOLDER...\nPOV-Ray and this program on the same scenes with the same settings.";
 const char* const versus_footer =
@@ -256,6 +258,7 @@ constexpr const char* exit_topic =
 
 'raytrace compare' has idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,
 4 a picture cannot be read. 'raytrace explain' has 0 same, 1 different, 4.
+'raytrace merge' has 2 if tests were not run.
 )";
 
 constexpr const char* versus_topic =
