@@ -10,12 +10,16 @@ namespace rt {
 
 namespace {
 
+/// U+FFFE and U+FFFF, the two that UTF-8 has and XML 1.0 has not.
+bool is_no_character(std::string_view bytes) { return bytes.starts_with("\xEF\xBF\xBE") || bytes.starts_with("\xEF\xBF\xBF"); }
+
 /// Text in XML 1.0: characters it cannot hold are '?', which makes other bytes than UTF-8 harmless as well.
 std::string xml(std::string_view text) {
     const std::string valid = nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     const std::string clean = nlohmann::json::parse(valid).get<std::string>();
     std::string escaped;
-    for (const char c : clean) {
+    for (std::size_t i = 0; i < clean.size(); ++i) {
+        const char c = clean[i];
         const auto byte = static_cast<unsigned char>(c);
         if (c == '<')
             escaped += "&lt;";
@@ -29,6 +33,8 @@ std::string xml(std::string_view text) {
             escaped += "&#10;";
         else if (byte < 0x20 && c != '\t')
             escaped += '?';
+        else if (is_no_character(std::string_view(clean).substr(i)))
+            escaped += '?', i += 2;
         else
             escaped += c;
     }

@@ -17,6 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t longest_name = 200;
+
+/// Names are a folder's and a file's: either may hold anything.
+std::string shown(const std::string& name) { return printable(name, longest_name); }
+
 std::string figures_text(const Result& result) {
     if (!result.figures) return {};
     const PictureFigures& f = *result.figures;
@@ -26,10 +31,10 @@ std::string figures_text(const Result& result) {
 
 std::string line_of(const Result& result, std::size_t width) {
     const bool good = result.outcome == Outcome::passed || result.outcome == Outcome::shown;
-    std::string text =
-        fmt::format("{} {:<{}} {:>8.3f} s  {:<47}", good ? "ok  " : "FAIL", result.test, width, result.wall_seconds, figures_text(result));
+    std::string text = fmt::format("{} {:<{}} {:>8.3f} s  {:<47}", good ? "ok  " : "FAIL", shown(result.test), width, result.wall_seconds,
+                                   figures_text(result));
     if (!good) text += fmt::format("  {}", name_of(outcome_names, result.outcome));
-    if (!result.cause.empty()) text += fmt::format(": {}", result.cause);
+    if (!result.cause.empty()) text += fmt::format(": {}", shown(result.cause));
     while (text.ends_with(' ')) text.pop_back();
     if (!result.reason.empty()) text += fmt::format("\n         {}", printable(result.reason, 200));
     return text + "\n";
@@ -37,7 +42,7 @@ std::string line_of(const Result& result, std::size_t width) {
 
 std::string program_table(const std::vector<Result>& results) {
     std::size_t width = 8;
-    for (const Result& result : results) width = std::max(width, result.test.size());
+    for (const Result& result : results) width = std::max(width, shown(result.test).size());
     std::string text = fmt::format("     {:<{}} {:>10}  {:>7} {:>7}  {:<6}  {:<6}  {:<6}  {}\n", "test", width, "time", "5 %", "1 %",
                                    "rmse", "p99", "flip", "3x3");
     for (const Result& result : results) text += line_of(result, width);
@@ -48,11 +53,11 @@ std::string program_table(const std::vector<Result>& results) {
 
 std::string many_table(const std::vector<std::vector<Result>>& groups) {
     std::size_t width = 10;
-    for (const auto& results : groups) width = std::max(width, results.front().submission.size());
+    for (const auto& results : groups) width = std::max(width, shown(results.front().submission).size());
     std::string text = fmt::format("{:<{}}  {:>9}  {:>9}  {:>15}  {:>9}\n", "submission", width, "passed", "required", "points", "time");
     for (const auto& results : groups) {
         const Summary sum = summary_of(results);
-        text += fmt::format("{:<{}}  {:>9}  {:>9}  {:>15}  {:>7.1f} s{}\n", sum.submission, width,
+        text += fmt::format("{:<{}}  {:>9}  {:>9}  {:>15}  {:>7.1f} s{}\n", shown(sum.submission), width,
                             fmt::format("{}/{}", sum.passed, sum.tests), fmt::format("{}/{}", sum.required_passed, sum.required),
                             fmt::format("{:.6g}/{:.6g}", sum.points, sum.out_of), sum.wall_seconds, sum.complete ? "" : "  not complete");
     }

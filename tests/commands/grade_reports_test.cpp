@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -93,6 +94,17 @@ TEST(GradeReports, JunitCountsAndEscapes) {
     EXPECT_EQ(text.find('\xff'), std::string::npos);
 }
 
+TEST(GradeReports, JunitHoldsNoCharacterThatXmlHasNot) {
+    GradeRecord odd = record();
+    odd.results[1].output = "a\xEF\xBF\xBE\xEF\xBF\xBF\xEF\xBF\xBD\xED\xA0\x80z\v";
+    const std::string text = junit_text(odd);
+    EXPECT_THAT(text, HasSubstr("a??\xEF\xBF\xBD"));
+    for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF", "\xED\xA0", "\v"}) EXPECT_EQ(text.find(none), std::string::npos);
+    const test::Workplace place;
+    place.write("junit.xml", text);
+    EXPECT_EQ(std::system("python3 -c 'import xml.parsers.expat as e; e.ParserCreate().ParseFile(open(\"junit.xml\", \"rb\"))'"), 0);
+}
+
 TEST(GradeReports, GradescopeHasScoresOfEachTest) {
     const auto json = nlohmann::json::parse(gradescope_text({passed(), wrong()}));
     EXPECT_EQ(json["score"], 1.0);
@@ -118,6 +130,14 @@ TEST(GradeReports, TheTableNamesOutcomeAndCause) {
     EXPECT_THAT(one, HasSubstr("wrong answer: wrong depth"));
     EXPECT_THAT(one, HasSubstr("1 of 2 passed, 1 of 1 required; 1 of 3 points; 1.5 s\n"));
     EXPECT_THAT(table_text(record()), HasSubstr("bob               0/1        0/1              0/1"));
+}
+
+TEST(GradeReports, TheTableHasNoControlBytesOfNames) {
+    GradeRecord odd = record();
+    odd.results[0].submission = odd.results[1].submission = "a\033[31mb\nc", odd.results[0].test = "p1/\033[2Jx";
+    EXPECT_THAT(table_text(odd), HasSubstr("\na?[31mb?c         1/2"));
+    odd.results.pop_back();
+    EXPECT_THAT(table_text(odd), HasSubstr("ok   p1/?[2Jx   "));
 }
 
 }  // namespace
