@@ -8,6 +8,7 @@
 #include "commands/job_steps.h"
 #include "commands/result_json.h"
 #include "commands/test_job.h"
+#include "commands/values.h"
 #include "grading/judge.h"
 #include "grading/mutations.h"
 #include "syntax/file_text.h"
@@ -103,8 +104,16 @@ void note(AuditLine& line, const TestCase& test, const Result& result, bool same
         ++line.noticed;
 }
 
+StoredImage right_picture(const TestCase& test) {
+    try {
+        return read_image(test.expected);
+    } catch (const OptionError& error) {
+        throw OptionError(fmt::format("test '{}': the expected picture: {}", printable(test.name, 200), error.what()));
+    }
+}
+
 void audit_picture(const Suite& suite, const TestCase& test, std::vector<AuditLine>& lines) {
-    const StoredImage right = read_image(test.expected);
+    const StoredImage right = right_picture(test);
     for (std::size_t i = 0; i < picture_mistakes().size(); ++i) {
         const std::optional<WrongPicture> wrong = picture_mistakes()[i].make(suite, test, right);
         if (!wrong) continue;
@@ -115,7 +124,7 @@ void audit_picture(const Suite& suite, const TestCase& test, std::vector<AuditLi
 
 void audit_text(const TestCase& test, AuditLine& line) {
     const std::optional<std::string> right = read_file_text(test.expected, most_bytes);
-    if (!right) throw OptionError(fmt::format("cannot read '{}'", test.expected));
+    if (!right) throw OptionError(fmt::format("test '{}': cannot read the expected text '{}'", printable(test.name, 200), test.expected));
     const std::optional<std::string> wrong = one_digit_changed(*right);
     if (wrong) note(line, test, judge_text(test, good_ending(*wrong), *right), false);
 }
@@ -137,7 +146,8 @@ std::string audit_text(const std::vector<AuditLine>& lines) {
     std::string text;
     for (const AuditLine& line : lines) {
         const std::size_t all = line.noticed + line.blind.size();
-        text += fmt::format("{:<24}{:>4} of {:>3} tests notice it", line.mistake, line.noticed, all);
+        text += fmt::format("{:<24}", line.mistake);
+        text += all ? fmt::format("{:>4} of {:>3} tests notice it", line.noticed, all) : "   no test has it";
         if (!line.blind.empty()) text += fmt::format("; blind: {}", fmt::join(line.blind, " "));
         if (!line.unmoved.empty()) text += fmt::format("; it changes nothing in: {}", fmt::join(line.unmoved, " "));
         text += "\n";

@@ -50,6 +50,21 @@ class Audit(unittest.TestCase):
         _, lines = self.audited(tolerance=0.01)
         self.assertEqual(lines["one digit changed"]["blind"], ["ray", "color"])
 
+    def test_a_mistake_that_no_test_has_is_called_so(self):
+        suite = harness.make_suite(PROGRAM, self.place)
+        run = subprocess.run([PROGRAM, "grade", suite, "--audit", "--only", "ray|color", "-o", self.place / "out"], capture_output=True, text=True,
+                             check=True)
+        self.assertIn("without anti-aliasing      no test has it\n", run.stdout)
+        self.assertNotIn("of   0", run.stdout)
+
+    def test_a_broken_answer_is_told_with_its_test_and_file(self):
+        suite = harness.make_suite(PROGRAM, self.place)
+        answer = self.place / "suite" / "answers" / "smooth.png"
+        answer.write_bytes(b"\x89PNG no more")
+        run = subprocess.run([PROGRAM, "grade", suite, "--audit", "-o", self.place / "out"], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn(f"test 'smooth': the expected picture: Cannot read '{answer}'", run.stderr)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
