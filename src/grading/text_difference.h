@@ -19,8 +19,9 @@ struct TextDifference {
 /// The lines that `diff -bB` compares: each run of white space as one blank, none at the end, and no line that is only white space.
 std::vector<std::string> compared_lines(std::string_view text);
 
-/// Whether `diff -bB` prints nothing for the two; with a tolerance numbers may differ by so much (relative above 1, absolute below), and
-/// blanks at a line's start do not matter. The first place where they part; empty if there is none.
+/// Two texts by the rule of `diff -bB`: lines that are not blank are compared in order. diff does so, too, unless it pairs blank lines
+/// instead: of "X\n\n\n" and "\n\nX\n", the same here, it tells X. With a tolerance numbers may differ by so much (relative above 1,
+/// absolute below), and blanks at a line's start do not matter. The first place where they part; empty if there is none.
 std::optional<TextDifference> first_difference(std::string_view expected, std::string_view actual, double tolerance);
 
 }  // namespace rt
