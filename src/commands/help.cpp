@@ -196,10 +196,11 @@ the scenes in "inputs" or "resources"; or a JSON file, its paths beside it:
 A test may also have: kind text|picture|shown, output (output.png), required
 (true), weight (1), tolerance of a text's numbers (0), timeout in seconds (60),
 memory and file in MiB (4096, 256), printed in KiB (1024), processes (64),
-timed (run with nothing beside it) and repeats (the median counts), fuzz in
+timed (run with nothing beside it), repeats (timed, the median counts), fuzz in
 percent (5), and for pictures
   pass    [{"metric": "differing", "at_most": 1000}], all of which must hold
   credit  {"metric": "rmse", "curve": [[0.01, 1], [0.1, 0]]}: partial credit
+          (of a pass, too, which may then be worth less than its weight)
 Metrics: differing (pixels beyond fuzz) differing_1 (beyond 1 %) rmse p99 flip
 neighbourhood. "defaults" has any of these for all tests.
 )";

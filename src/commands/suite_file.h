@@ -31,10 +31,12 @@ Suite read_course_suite(const std::string& folder, const std::string& inputs, co
 ///         output          what the program writes (output.png)
 ///         required        true; weight: of its points (1)
 ///         timeout         seconds (60); memory: MiB (4096); printed: KiB (1024); file: MiB (256); processes: (64)
-///         timed           false; true: run with nothing beside it, its time is a result; repeats: the median of so many runs counts (1)
+///         timed           false; true: run with nothing beside it, its time is a result; repeats: the median of so many runs counts (1),
+///                         more than one are timed, whatever `timed` says
 ///         fuzz            percent for "differing" (5)
 ///         pass            list of {metric, at_most}, all of which must hold; default: differing at most 1000
-///         credit          {metric, curve: [[figure, credit], ...]}: partial credit 0..1, linear between points; default: all or nothing
+///         credit          {metric, curve: [[figure, credit], ...]}: partial credit 0..1, linear between points; default: all or nothing;
+///                         a pass, too, has the credit of the curve, which may be less than its weight
 ///         tolerance       of numbers in a text, relative above 1 (0)
 ///     metrics: differing (pixels beyond fuzz), differing_1 (beyond 1 %), rmse, p99, flip, neighbourhood
 Suite suite_of_json(const Sources& sources, const std::string& inputs);

@@ -126,6 +126,15 @@ TEST_F(SuiteFile, ReadsOurOwnFile) {
     EXPECT_EQ(b.curve, (CreditCurve{Metric::flip, {{0.1, 1.0}, {0.2, 0.0}}}));
 }
 
+TEST_F(SuiteFile, RepeatedTestsAreTimed) {
+    place_.write("a.txt", "x");
+    place_.write("suite.json", R"({"format": "raytrace suite 1", "defaults": {"kind": "text"}, "tests": [
+        {"name": "a", "command": "x", "expected": "a.txt", "repeats": 3}, {"name": "b", "command": "x", "expected": "a.txt"}]})");
+    const Suite suite = read("suite.json");
+    EXPECT_TRUE(suite.tests[0].timed);
+    EXPECT_FALSE(suite.tests[1].timed);
+}
+
 TEST_F(SuiteFile, EveryMistakeHasItsPlace) {
     place_.write("a.txt", "");
     EXPECT_EQ(mistake("{\"format\": \"raytrace suite 2\"}"),
