@@ -6,6 +6,7 @@
 
 #include "commands/json_value.h"
 #include "commands/suite_file.h"
+#include "commands/suite_notes.h"
 #include "commands/values.h"
 #include "syntax/file_text.h"
 
@@ -151,10 +152,16 @@ Suite read_suite(const std::string& path, const std::string& inputs, const Messa
     if (!fs::exists(path, none)) throw OptionError(fmt::format("there is no suite '{}'", path));
     if (!inputs.empty() && !fs::is_directory(inputs, none)) throw OptionError(fmt::format("there is no folder '{}' of inputs", inputs));
     const std::string absolute_inputs = inputs.empty() ? "" : fs::canonical(inputs).string();
-    if (fs::is_directory(path, none)) return read_course_suite(fs::canonical(path).string(), absolute_inputs, messages);
-    Sources sources;
-    sources.add({path, text_of(path)});
-    return suite_of_json(sources, absolute_inputs);
+    Suite suite;
+    if (fs::is_directory(path, none)) {
+        suite = read_course_suite(fs::canonical(path).string(), absolute_inputs, messages);
+    } else {
+        Sources sources;
+        sources.add({path, text_of(path)});
+        suite = suite_of_json(sources, absolute_inputs);
+    }
+    note_tests_in_vain(suite, messages);
+    return suite;
 }
 
 }  // namespace rt

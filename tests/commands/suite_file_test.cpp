@@ -135,6 +135,26 @@ TEST_F(SuiteFile, RepeatedTestsAreTimed) {
     EXPECT_FALSE(suite.tests[1].timed);
 }
 
+TEST_F(SuiteFile, NotesTestsThatCannotTellAnything) {
+    place_.write("empty.txt", " \n\n");
+    place_.write("full.txt", "1\n");
+    const auto picture = [&](const char* name, int pixels) {
+        place_.write(name, "P6 " + std::to_string(pixels) + " 1 255\n" + std::string(3 * pixels, 'x'));
+    };
+    picture("small.ppm", 1000), picture("large.ppm", 1001);
+    place_.write("suite.json", R"({"format": "raytrace suite 1", "tests": [
+        {"name": "none", "kind": "text", "command": "x", "expected": "empty.txt"},
+        {"name": "some", "kind": "text", "command": "x", "expected": "full.txt"},
+        {"name": "small", "command": "x", "expected": "small.ppm"}, {"name": "large", "command": "x", "expected": "large.ppm"},
+        {"name": "strict", "command": "x", "expected": "small.ppm", "pass": [{"metric": "differing", "at_most": 999}]},
+        {"name": "both", "command": "x", "expected": "small.ppm", "pass": [{"metric": "differing", "at_most": 1000},
+                                                                         {"metric": "rmse", "at_most": 0.1}]},
+        {"name": "lax", "command": "x", "expected": "large.ppm", "pass": [{"metric": "rmse", "at_most": 1}]}]})");
+    read("suite.json");
+    EXPECT_THAT(notes_, HasSubstr("note: any picture of the right size passes small, lax: their rules allow for all that can differ\n"));
+    EXPECT_THAT(notes_, HasSubstr("note: a program that prints nothing passes none: no text is expected\n"));
+}
+
 TEST_F(SuiteFile, EveryMistakeHasItsPlace) {
     place_.write("a.txt", "");
     EXPECT_EQ(mistake("{\"format\": \"raytrace suite 2\"}"),
