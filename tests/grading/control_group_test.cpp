@@ -105,7 +105,8 @@ TEST_F(Groups, MembersEndWithTheGroup) {
             if (!inside) _exit(1);
             for (;;) pause();
         }
-        for (std::string members; members.empty();) std::getline(std::ifstream(containment_.pids_group + "/" + name + "/cgroup.procs"), members);
+        for (std::string members; members.empty();)
+            std::getline(std::ifstream(containment_.pids_group + "/" + name + "/cgroup.procs"), members);
     }
     int status = 0;
     EXPECT_EQ(waitpid(child, &status, 0), child);
@@ -118,7 +119,8 @@ TEST_F(Groups, WhatADeadGraderLeftIsRemoved) {
     const pid_t dead = fork();
     if (dead == 0) _exit(0);
     waitpid(dead, nullptr, 0);
-    const std::string left = fmt::format("{}/raytrace-{}-0", containment_.pids_group, dead), ours = containment_.pids_group + "/" + group_name(9);
+    const std::string left = fmt::format("{}/raytrace-{}-0", containment_.pids_group, dead),
+                      ours = containment_.pids_group + "/" + group_name(9);
     for (const std::string& path : {left, ours}) ASSERT_TRUE(fs::create_directory(path));
     remove_stale_groups(containment_.pids_group);
     EXPECT_FALSE(fs::exists(left));

@@ -116,8 +116,7 @@ TEST(Judge, CreditFollowsItsCurve) {
     TestCase test = picture_test();
     test.curve = curve;
     test.pass = {{Metric::differing, 0.0}};
-    const Result wrong =
-        judge_picture(test, ended(Ending::Kind::exited), {Written::State::picture, "", grey(151)}, grey(100));
+    const Result wrong = judge_picture(test, ended(Ending::Kind::exited), {Written::State::picture, "", grey(151)}, grey(100));
     EXPECT_EQ(wrong.outcome, Outcome::wrong_answer);
     EXPECT_NEAR(wrong.credit, 0.5, 1e-9);
     const Result crashed =
