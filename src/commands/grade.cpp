@@ -164,6 +164,7 @@ int run(GradeJob job) {
         record.results = run_tasks(grading, tasks, store, job.parallel, job.fresh, signals.stop(),
                                    [&](const TaskProgress& state) { progress.update(state); });
     }
+    remove_left_places();  // of workers that an interruption ended
     write_reports(record, job.folder, job.all_pictures);
     if (!job.quiet) write_stdout(table_text(record));
     messages(fmt::format("raytrace: reports are in {}", job.folder));

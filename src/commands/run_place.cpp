@@ -36,7 +36,8 @@ void remove_left_places() {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with(prefix)) continue;
         const int process = std::atoi(name.c_str() + prefix.size());
-        if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+        const bool ended = process > 0 && kill(process, 0) != 0 && errno == ESRCH;
+        if (ended || process == getpid()) fs::remove_all(entry.path(), error);
     }
 }
 

@@ -20,7 +20,7 @@ private:
     std::string folder_;
 };
 
-/// Removes the folders of parents that have ended on this machine without removing them.
+/// Removes the folders of parents that have ended on this machine without removing them, and of workers of ours: none may be running.
 void remove_left_places();
 
 }  // namespace rt
