@@ -36,16 +36,14 @@ std::string hash_of_file(const std::string& path) {
     return text_of(hash);
 }
 
-std::string hash_of_folder(const std::string& path, const std::function<bool(const std::string&)>& leave_out) {
+std::string hash_of_folder(const std::string& path) {
     std::vector<std::string> lines;
     std::error_code error;
     for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end; entry != end && !error;
          entry.increment(error)) {
         const std::string name = entry->path().lexically_relative(path).string();
         std::error_code none;
-        if (leave_out && leave_out(entry->path().string())) {
-            if (entry->is_directory(none)) entry.disable_recursion_pending();
-        } else if (entry->is_symlink(none)) {
+        if (entry->is_symlink(none)) {
             lines.push_back(fmt::format("{}\n>{}", name, fs::read_symlink(entry->path(), none).string()));
         } else if (entry->is_regular_file(none)) {
             const bool executable = (entry->status(none).permissions() & fs::perms::owner_exec) != fs::perms::none;

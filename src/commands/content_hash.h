@@ -1,7 +1,6 @@
 // Fingerprints of what a result depends on.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +11,6 @@ std::string hash_of(std::string_view bytes);
 /// Of a file's bytes; "-" if it cannot be read.
 std::string hash_of_file(const std::string& path);
 /// Of every regular file below a folder, with their names and whether they are executable; links count by what they say.
-/// `leave_out` (may be empty): files and folders that do not count.
-std::string hash_of_folder(const std::string& path, const std::function<bool(const std::string& path)>& leave_out = {});
+std::string hash_of_folder(const std::string& path);
 
 }  // namespace rt

@@ -8,6 +8,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/content_hash.h"
 #include "commands/help.h"
 #include "commands/interrupt.h"
 #include "commands/job_steps.h"
@@ -19,6 +20,7 @@
 #include "commands/values.h"
 #include "commands/versus_reports.h"
 #include "commands/versus_scene.h"
+#include "commands/write_bytes.h"
 #include "core/source.h"
 #include "grading/workers.h"
 
@@ -116,6 +118,25 @@ std::string read_words(const Words& words, VersusJob& job) {
     return {};
 }
 
+/// The folders of includes are the same for both, and an .ini file that says nothing keeps others from POV-Ray.
+void settle_folders(VersusSettings& settings) {
+    std::vector<std::string>& paths = settings.job.parse.library_paths;
+    std::error_code none;
+    for (const std::string& path : paths)
+        if (!fs::is_directory(path, none)) throw OptionError(fmt::format("--library: there is no folder '{}'", path));
+    settings.installed = installed_includes(settings.povray);
+    std::vector<std::string> others = default_library_paths();
+    others.insert(others.end(), settings.installed.begin(), settings.installed.end());
+    for (const char* installed : {"/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include"})
+        std::erase(others, std::string(installed));  // found by both without a word
+    for (const std::string& other : others) {
+        const std::string path = fs::absolute(other).lexically_normal().string();
+        if (fs::is_directory(path, none)) paths.push_back(path), settings.words.push_back("--library=" + path);
+    }
+    povray_picture_words(settings.job);  // whatever POV-Ray's command line cannot say is told before anything runs
+    write_bytes(no_settings_file(settings), "; Nothing: the command line says all.\n");
+}
+
 /// Finds POV-Ray and asks for its version.
 void settle(VersusJob& job) {
     VersusSettings& settings = job.settings;
@@ -132,9 +153,11 @@ void settle(VersusJob& job) {
     fs::create_directories(job.folder, error);
     if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", job.folder, error.message()));
     settings.folder = fs::canonical(job.folder).string();
+    settle_folders(settings);
     const RunPlace place;
-    const Ending ending = run_program_for(settings, {settings.povray, "--version"}, {place.folder(), place.folder(), {}}, 0);
-    settings.version = povray_version(ending.output);
+    if (!povray_can_say(place.folder())) throw OptionError(fmt::format("TMPDIR: POV-Ray's command line cannot name '{}'", place.folder()));
+    const Ending ending = run_program_for(settings, {settings.povray, "--version"}, {place.folder(), place.folder()}, 0);
+    settings.version = povray_version(ending.output), settings.povray_hash = hash_of_file(settings.povray);
     if (settings.version.empty())
         throw OptionError(fmt::format("'{}' is not POV-Ray: --version prints no version of it{}{}", settings.povray,
                                       ending.reason.empty() ? "" : "; ", ending.reason));
@@ -219,6 +242,7 @@ int run(VersusJob job) {
         const StopOnSignal signals;
         record.results = Comparison(job, scenes, signals.stop()).run();
     }
+    remove_left_places();  // of workers that an interruption ended
     write_versus_reports(record, job.settings.folder);
     if (!job.quiet) write_stdout(versus_table_text(record));
     messages(fmt::format("raytrace: reports are in {}", job.settings.folder));

@@ -1,5 +1,6 @@
 #include "commands/versus_judge.h"
 
+#include "commands/program_told.h"
 #include "commands/verdict.h"
 #include "grading/judge.h"
 #include "grading/regions.h"
@@ -39,7 +40,11 @@ VersusCause cause_of(const VersusResult& result, const VersusLimits& limits) {
     if (theirs == State::not_run || ours == State::not_run) return VersusCause::not_run;
     for (const VersusRun& run : result.runs)
         if (run.state == State::failed) return VersusCause::failed;
-    if (theirs == State::refused) return ours == State::refused ? VersusCause::both_refuse : VersusCause::povray_refuses;
+    if (theirs == State::refused && ours == State::refused && result.missing.empty()) {
+        const bool in_scene = is_parse_refusal(result.run(Maker::povray).message) && is_parse_refusal(result.run(limits.judged).message);
+        return in_scene ? VersusCause::both_refuse : VersusCause::failed;
+    }
+    if (theirs == State::refused) return VersusCause::povray_refuses;
     if (ours == State::refused) return result.missing.empty() ? VersusCause::refused : VersusCause::not_modelled;
     const std::optional<Likeness>& like = result.like(limits.judged);
     return like && like->agrees ? VersusCause::agrees : VersusCause::differs;

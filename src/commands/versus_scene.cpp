@@ -9,6 +9,7 @@
 #include "commands/program_told.h"
 #include "commands/result_json.h"
 #include "commands/run_place.h"
+#include "commands/scene_files.h"
 #include "commands/values.h"
 #include "commands/versus_json.h"
 #include "commands/versus_judge.h"
@@ -31,7 +32,6 @@ std::string difference_name(Maker maker) { return "difference_" + picture_name(m
 
 /// What reading a scene tells before any ray.
 struct Reading {
-    std::vector<std::string> includes;
     std::vector<MissingFeature> missing;
     bool draws_edges = false;  ///< lines that POV-Ray has not
 };
@@ -46,8 +46,8 @@ public:
     VersusResult run() {
         const Reading reading = read();
         result_.missing = reading.missing, draws_edges_ = reading.draws_edges;
-        const std::string key = content_key(reading);
-        if (settings_.fresh || !take_known(key)) run_povray(key);
+        const std::string key = content_key();
+        if (settings_.fresh || key.empty() || !take_known(key)) run_povray(key);
         for (const Maker maker : {Maker::same, Maker::general}) run_ours(maker, reading);
         compare();
         result_.cause = cause_of(result_, settings_.agreement);
@@ -58,7 +58,7 @@ private:
     std::string place_of(const std::string& name) const { return (fs::path(pictures_of(settings_, scene_)) / name).string(); }
 
     Ending run_in(const std::string& folder, const std::vector<std::string>& command) const {
-        return run_program_for(settings_, command, {folder, fs::path(scene_.path).parent_path().string(), {scene_.visible}}, slot_);
+        return run_program_for(settings_, command, {folder, fs::path(scene_.path).parent_path().string()}, slot_);
     }
 
     /// By `raytrace requires`, contained as the others: a scene may never end.
@@ -72,9 +72,7 @@ private:
         Sources sources;
         sources.add({"raytrace requires", ending.output});
         const nlohmann::json content = parse_json(sources);
-        const JsonValue needs = JsonValue(sources, content).item(0), includes = needs["includes"], missing = needs["not_modelled"],
-                        features = needs["features"];
-        for (std::size_t i = 0; i < includes.size(); ++i) reading.includes.push_back(includes.item(i).word());
+        const JsonValue needs = JsonValue(sources, content).item(0), missing = needs["not_modelled"], features = needs["features"];
         for (std::size_t i = 0; i < features.size(); ++i)
             reading.draws_edges = reading.draws_edges || features.item(i).word() == "edge lines";
         for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -84,14 +82,15 @@ private:
         return reading;
     }
 
-    /// Everything that POV-Ray's picture depends on; threads are not among it.
-    std::string content_key(const Reading& reading) const {
-        std::string rule = fmt::format("{}\n{}\n{}\n", settings_.version, hash_of_file(scene_.path), scene_.surroundings);
-        VersusSettings nameless = settings_;
-        nameless.povray.clear(), nameless.threads = 0, nameless.job.parse.library_paths.clear();
-        for (const std::string& word : povray_command(nameless, "/scene.pov", "")) rule += word + "\n";
-        for (const std::string& path : settings_.job.parse.library_paths) rule += path + "\n";
-        for (const std::string& include : reading.includes) rule += fmt::format("{}\n", hash_of_file(include));
+    /// Everything that POV-Ray's picture depends on; threads are not among it. Empty if that cannot be known.
+    std::string content_key() const {
+        std::vector<std::string> folders = settings_.job.parse.library_paths, words;
+        folders.insert(folders.end(), settings_.installed.begin(), settings_.installed.end());
+        for (const auto& [name, value] : settings_.job.parse.declares) words.push_back(value);
+        const SceneFiles files = files_of_scene(scene_.path, folders, settings_.installed, words);
+        if (!files.complete) return {};
+        std::string rule = fmt::format("{}\n{}\n{}\n", settings_.version, settings_.povray_hash, files.fingerprint);
+        for (const std::string& word : povray_picture_words(settings_.job)) rule += word + "\n";
         return hash_of(rule);
     }
 
@@ -110,27 +109,44 @@ private:
         }
         // Where it lies now, which may be another place.
         run.command = command_for(Maker::povray, place_of(picture_name(Maker::povray)));
-        if (run.state == VersusRun::State::done) {
-            const std::optional<std::string> picture = read_file_text(known_.path(key, "picture.png"), most_bytes);
-            if (!picture) return false;
-            write_bytes(place_of(picture_name(Maker::povray)), *picture);
-        }
+        const std::optional<std::string> picture = read_file_text(known_.path(key, "picture.png"), most_bytes);
+        if (!picture) return false;
+        write_bytes(place_of(picture_name(Maker::povray)), *picture);
+        if (!picture_problem(Maker::povray).empty()) return false;
         result_.run(Maker::povray) = std::move(run);
         return true;
     }
 
     std::vector<std::string> command_for(Maker maker, const std::string& picture) const {
-        if (maker == Maker::povray) return povray_command(settings_, scene_.path, picture);
+        if (maker == Maker::povray) return povray_command_to_copy(settings_, scene_.path, picture);
         std::vector<std::string> command = our_command(settings_, scene_.path, maker, picture);
         if (maker == Maker::same && draws_edges_) command.emplace_back("--edges=off");
         return command;
+    }
+
+    /// What is wrong with a picture that was written, or nothing.
+    std::string picture_problem(Maker maker) const {
+        const RenderJob& job = settings_.job;
+        try {
+            const StoredImage image = read_image(place_of(picture_name(maker)));
+            if (image.width == job.width && image.height == job.height) return {};
+            return fmt::format("the picture has {} x {} pixels instead of {} x {}", image.width, image.height, job.width, job.height);
+        } catch (const OptionError& error) {
+            return error.what();
+        }
     }
 
     /// Runs one of the programs and keeps its picture.
     Ending run_maker(Maker maker) {
         VersusRun& run = result_.run(maker);
         const RunPlace place;
-        const Ending ending = run_in(place.folder(), command_for(maker, (fs::path(place.folder()) / picture_name(maker)).string()));
+        const std::string to = (fs::path(place.folder()) / picture_name(maker)).string();
+        PovrayNames names(place.folder());
+        const std::vector<std::string> command =
+            maker == Maker::povray ? povray_command(settings_, scene_.path, to, names) : command_for(maker, to);
+        names.make_links();
+        Ending ending = run_in(place.folder(), command);
+        ending.output = names.without_links(std::move(ending.output));
         run.command = command_for(maker, place_of(picture_name(maker))), run.alone = settings_.alone, run.threads = settings_.threads;
         run.wall_seconds = ending.wall_seconds, run.cpu_seconds = ending.cpu_seconds, run.peak_memory_bytes = ending.peak_memory_bytes;
         run.state = VersusRun::State::failed;
@@ -138,8 +154,9 @@ private:
         if (ending.kind != Ending::Kind::exited) return ending;
         const TakenFile picture = take_file(place.folder(), picture_name(maker), settings_.limits.file_bytes);
         if (ending.status == 0 && picture.bytes) {
-            run.state = VersusRun::State::done, run.message.clear();
             write_bytes(place_of(picture_name(maker)), *picture.bytes);
+            run.message = picture_problem(maker);
+            if (run.message.empty()) run.state = VersusRun::State::done;
         } else if (ending.status == 0) {
             run.message = picture.problem;
         }
@@ -151,14 +168,16 @@ private:
         VersusRun& run = result_.run(Maker::povray);
         read_povray_statistics(ending.output, run);
         const std::string message = povray_message(ending.output);
-        const bool ended = ending.kind == Ending::Kind::exited && run.state == VersusRun::State::failed;
-        if (ended && message.find("Error: ") != message.npos) run.state = VersusRun::State::refused, run.message = message;
-        if (run.state == VersusRun::State::failed) return;
-        std::vector<std::pair<std::string, std::string>> files = {
-            {"run.json", json_text({{"run", run_json(run)}, {"times", run_times_json(run)}}, 1)}};
-        if (run.state == VersusRun::State::done)
-            files.emplace_back("picture.png", read_file_text(place_of(picture_name(Maker::povray)), most_bytes).value());
-        known_.put(key, files);
+        if (ending.kind == Ending::Kind::exited && ending.status != 0) {
+            if (message.find("Error: ") != message.npos)
+                run.state = VersusRun::State::refused, run.message = message;
+            else if (!message.empty())
+                run.message += ": " + message;
+        }
+        // A refusal is not kept: it is quick, and names files that may lie elsewhere next time.
+        if (run.state != VersusRun::State::done || key.empty()) return;
+        known_.put(key, {{"run.json", json_text({{"run", run_json(run)}, {"times", run_times_json(run)}}, 1)},
+                         {"picture.png", read_file_text(place_of(picture_name(Maker::povray)), most_bytes).value()}});
     }
 
     void run_ours(Maker maker, const Reading& reading) {
@@ -172,9 +191,12 @@ private:
         const Ending ending = run_maker(maker);
         read_our_statistics(ending.output, run);
         // Statuses 1 and 4 are about the scene: a mistake in it, or a limit of ours.
-        if (ending.kind != Ending::Kind::exited || (ending.status != 1 && ending.status != 4)) return;
-        run.state = VersusRun::State::refused, run.message = ending.output;
-        while (run.message.ends_with('\n')) run.message.pop_back();
+        if (ending.kind != Ending::Kind::exited || ending.status == 0) return;
+        const std::string message = our_message(ending.output);
+        if (ending.status == 1 || ending.status == 4)
+            run.state = VersusRun::State::refused, run.message = message;
+        else if (!message.empty())
+            run.message += ": " + message;
     }
 
     void compare() {
@@ -184,9 +206,6 @@ private:
         for (const Maker maker : {Maker::same, Maker::general}) {
             if (result_.run(maker).state != VersusRun::State::done) continue;
             const StoredImage ours = read_image(place_of(picture_name(maker)));
-            if (ours.width != povray.width || ours.height != povray.height)
-                throw OptionError(fmt::format("POV-Ray's picture has {} x {} pixels, ours {} x {}", povray.width, povray.height, ours.width,
-                                              ours.height));
             result_.like(maker) = likeness_of(povray, ours, settings_.agreement);
             write_difference_picture({theirs, povray}, {picture_name(maker), ours}, difference_scale, place_of(difference_name(maker)),
                                      ImageFormat::png);

@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "commands/content_hash.h"
 #include "commands/values.h"
 #include "core/source.h"
 
@@ -36,31 +35,45 @@ std::vector<fs::path> scenes_below(const fs::path& folder, const fs::path& outpu
     return scenes;
 }
 
-/// Programs see the folder around an argument as well: files are often read from "../include".
-fs::path around(const fs::path& folder) { return folder.parent_path() == folder.root_path() ? folder : folder.parent_path(); }
-
 void add(const std::string& argument, const fs::path& output, std::vector<VersusScene>& scenes) {
     std::error_code error;
     fs::path path = fs::canonical(argument, error);
     if (error) path = fs::canonical(argument + ".pov", error);
     if (error) throw OptionError(fmt::format("there is no scene or folder '{}'", argument));
     if (!fs::is_directory(path)) {
-        scenes.push_back({path.stem().string(), path.string(), around(path.parent_path()).string(), {}});
+        scenes.push_back({path.stem().string(), path.string()});
         return;
     }
     const std::vector<fs::path> below = scenes_below(path, output);
     if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", argument));
     for (const fs::path& scene : below) {
         const fs::path inner = scene.lexically_relative(path).replace_extension();
-        scenes.push_back({(path.filename() / inner).string(), scene.string(), around(path).string(), {}});
+        scenes.push_back({(path.filename() / inner).string(), scene.string()});
     }
 }
 
+/// The last `parts` of a path, without its ending; all of it, with the ending, if it has no more.
+std::string last_parts(const fs::path& path, std::ptrdiff_t parts) {
+    const fs::path inner = path.relative_path();
+    const std::ptrdiff_t all = std::distance(inner.begin(), inner.end());
+    fs::path name;
+    for (auto part = std::next(inner.begin(), std::max<std::ptrdiff_t>(0, all - parts)); part != inner.end(); ++part) name /= *part;
+    return (parts > all ? name : name.replace_extension()).string();
+}
+
+/// Names that more than one scene has begin with one more of the folders around it, until each has its own.
 void name_apart(std::vector<VersusScene>& scenes) {
-    std::set<std::string> taken;
-    for (VersusScene& scene : scenes) {
-        const std::string name = scene.name;
-        for (int number = 2; !taken.insert(scene.name).second; ++number) scene.name = fmt::format("{}-{}", name, number);
+    for (bool apart = false; !apart;) {
+        std::map<std::string, int> count;
+        for (const VersusScene& scene : scenes) ++count[scene.name];
+        apart = true;
+        for (VersusScene& scene : scenes) {
+            if (count[scene.name] == 1) continue;
+            const fs::path name = scene.name;
+            const std::string longer = last_parts(scene.path, std::distance(name.begin(), name.end()) + 1);
+            apart = apart && longer == scene.name;
+            scene.name = longer;
+        }
     }
 }
 
@@ -69,18 +82,13 @@ void name_apart(std::vector<VersusScene>& scenes) {
 std::vector<VersusScene> scenes_of(const std::vector<std::string>& arguments, const std::string& only, const std::string& output) {
     std::vector<VersusScene> scenes;
     for (const std::string& argument : arguments) add(argument, output, scenes);
+    std::set<std::string> seen;
+    std::erase_if(scenes, [&](const VersusScene& scene) { return !seen.insert(scene.path).second; });
     name_apart(scenes);
     if (!only.empty()) {
         const std::regex wanted = regular_expression("only", only);
         std::erase_if(scenes, [&](const VersusScene& scene) { return !std::regex_search(scene.name, wanted); });
         if (scenes.empty()) throw OptionError(fmt::format("--only: no scene's name matches '{}'", only));
-    }
-    std::map<std::string, std::string> known;
-    const auto leave_out = [&](const std::string& path) { return is_scene(path) || is_left_out(path, output); };
-    for (VersusScene& scene : scenes) {
-        const std::string folder = fs::path(scene.path).parent_path().string();
-        if (!known.contains(folder)) known[folder] = hash_of_folder(folder, leave_out);
-        scene.surroundings = known[folder];
     }
     return scenes;
 }

@@ -7,14 +7,13 @@
 namespace rt {
 
 struct VersusScene {
-    std::string name;          ///< of an argument's folder and where it lies in it: "pov/shading/vases"
-    std::string path;          ///< absolute
-    std::string visible;       ///< the folder around it that programs see
-    std::string surroundings;  ///< fingerprint of what lies beside it and may be read: files of its folder that are no scenes
+    std::string name;  ///< of an argument's folder and where it lies in it: "pov/shading/vases"; with folders around if that is not unique
+    std::string path;  ///< absolute
 };
 
-/// Each argument's scene, or every *.pov below it, in the order of names; `only` (a regular expression, may be empty) is for names. What
-/// lies in `output` or in hidden folders is none. Throws OptionError for what is not there and if nothing is left.
+/// Each once, however often it is among the arguments. Each argument's scene, or every *.pov below it, in the order of names; `only` (a
+/// regular expression, may be empty) is for names. What lies in `output` or in hidden folders is none. Throws OptionError for what is not
+/// there and if nothing is left.
 std::vector<VersusScene> scenes_of(const std::vector<std::string>& arguments, const std::string& only, const std::string& output);
 
 }  // namespace rt

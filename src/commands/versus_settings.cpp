@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
+#include "commands/content_hash.h"
 #include "commands/render_arguments.h"
+#include "commands/shell_words.h"
 #include "commands/values.h"
 
 namespace rt {
@@ -15,11 +20,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// POV-Ray tells numbers and strings apart by quotes, we by whether they are numbers.
-std::string declared(const std::string& value) {
+/// POV-Ray tells numbers and strings apart by quotes, we by whether they are numbers. The whole has to be quoted for its command line.
+std::string declared(const std::string& name, const std::string& value) {
     char* end = nullptr;
-    std::strtod(value.c_str(), &end);
-    return !value.empty() && *end == '\0' ? value : fmt::format("\"{}\"", value);
+    const double number = std::strtod(value.c_str(), &end);
+    if (!value.empty() && *end == '\0') {
+        if (!std::isfinite(number)) throw OptionError(fmt::format("--define {}: expected a finite number, not '{}'", name, value));
+        return fmt::format("Declare={}={}", name, value);
+    }
+    const auto is_sayable = [](char c) { return c >= ' ' && c <= '~' && c != '\'' && c != '"' && c != '\\'; };
+    if (!std::all_of(value.begin(), value.end(), is_sayable))
+        throw OptionError(fmt::format("--define {}: POV-Ray's command line takes printable ASCII without quotes and \\ in a string", name));
+    return fmt::format("Declare='{}=\"{}\"'", name, value);
 }
 
 void add_sampling(const Sampling& sampling, std::vector<std::string>& words) {
@@ -32,6 +44,22 @@ void add_sampling(const Sampling& sampling, std::vector<std::string>& words) {
     words.push_back(fmt::format("+R{}", sampling.depth));
     words.emplace_back("-J");
     if (sampling.gamma != Sampling{}.gamma) words.push_back(fmt::format("+AG{}", sampling.gamma));
+}
+
+/// What a scene may read: all that the user may, but for the system's own folders, which a room has of its own. POV-Ray's settings in
+/// /etc are among those, so that they change no picture.
+std::vector<std::string> all_folders() {
+    constexpr std::array<std::string_view, 12> systems = {"proc", "dev",   "sys",   "usr",    "bin", "sbin",
+                                                          "lib",  "lib32", "lib64", "libx32", "etc", "run"};
+    std::vector<std::string> folders;
+    std::error_code error, none;
+    for (const fs::directory_entry& entry : fs::directory_iterator("/", error)) {
+        const std::string path = entry.path().string();
+        const bool is_systems = std::find(systems.begin(), systems.end(), path.substr(1)) != systems.end();
+        if (!is_systems && entry.is_directory(none) && access(path.c_str(), R_OK | X_OK) == 0) folders.push_back(path);
+    }
+    if (fs::is_directory("/run/media", none)) folders.emplace_back("/run/media");
+    return folders;
 }
 
 bool is_program(const std::string& path) {
@@ -48,18 +76,52 @@ RenderJob job_of_words(const std::vector<std::string>& words) {
     return parse_render_arguments(line, help).value();
 }
 
-std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene, const std::string& picture) {
-    const RenderJob& job = settings.job;
-    std::vector<std::string> words = {
-        settings.povray, "+I" + scene, "+O" + picture, fmt::format("+W{}", job.width),        fmt::format("+H{}", job.height),
-        "+FN8",          "-D",         "-V",           fmt::format("+WT{}", settings.threads)};
+std::vector<std::string> povray_picture_words(const RenderJob& job) {
+    std::vector<std::string> words = {fmt::format("+W{}", job.width), fmt::format("+H{}", job.height), "+FN8", "-D", "-V"};
     add_sampling(job.sampling, words);
-    words.push_back("+L" + fs::path(scene).parent_path().string());
-    for (const std::string& path : job.parse.library_paths) words.push_back("+L" + path);
-    for (const auto& [name, value] : job.parse.declares) words.push_back(fmt::format("Declare={}={}", name, declared(value)));
+    for (const auto& [name, value] : job.parse.declares) words.push_back(declared(name, value));
     if (job.parse.clock != 0.0) words.push_back(fmt::format("+K{}", job.parse.clock));
     if (job.parse.version != 0.0) words.push_back(fmt::format("+MV{}", job.parse.version));
     return words;
+}
+
+std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene, const std::string& picture,
+                                        PovrayNames& names) {
+    std::vector<std::string> words = {"/usr/bin/env", "POVINI=" + no_settings_file(settings), settings.povray,
+                                      fmt::format("+I{}", names.word(scene, "scene.pov")),
+                                      fmt::format("+O{}", names.word(picture, "picture.png"))};
+    const std::vector<std::string> picture_words = povray_picture_words(settings.job);
+    words.insert(words.end(), picture_words.begin(), picture_words.end());
+    words.push_back(fmt::format("+WT{}", settings.threads));
+    words.push_back(fmt::format("+L{}", names.word(fs::path(scene).parent_path().string(), "folder")));
+    int number = 0;
+    for (const std::vector<std::string>& paths : {settings.job.parse.library_paths, settings.installed})
+        for (const std::string& path : paths) words.push_back(fmt::format("+L{}", names.word(path, fmt::format("library{}", ++number))));
+    return words;
+}
+
+std::vector<std::string> povray_command_to_copy(const VersusSettings& settings, const std::string& scene, const std::string& picture) {
+    PovrayNames names((fs::path("/tmp") / ("raytrace-names-" + hash_of(scene + "\n" + picture).substr(0, 16))).string());
+    const std::vector<std::string> words = povray_command(settings, scene, picture, names);
+    if (names.links().empty()) return words;
+    std::string script = fmt::format("mkdir -p {}", fs::path(names.links().front().first).parent_path().string());
+    for (const auto& [link, path] : names.links()) script += fmt::format(" && ln -sfn -- {} {}", shell_word(path), link);
+    script += " &&";
+    for (const std::string& word : words) script += fmt::format(" {}", shell_word(word));
+    return {"/bin/bash", "-c", script};
+}
+
+std::string no_settings_file(const VersusSettings& settings) { return (fs::path(settings.folder) / "povray.ini").string(); }
+
+std::vector<std::string> installed_includes(const std::string& povray) {
+    std::error_code none;
+    const fs::path program = fs::canonical(povray, none);
+    const std::string beside = (program.parent_path().parent_path() / "share" / "povray-3.7" / "include").string();
+    if (fs::is_directory(beside, none)) return {beside};
+    std::vector<std::string> paths;
+    for (const char* path : {"/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include"})
+        if (fs::is_directory(path, none)) paths.emplace_back(path);
+    return paths;
 }
 
 std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker, const std::string& picture) {
@@ -89,14 +151,11 @@ std::string find_povray(const std::string& named) {
 
 Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const VersusPlace& place, int slot) {
     ContainedRun run;
-    run.command = command;
+    run.command = {"/usr/bin/env", "TMPDIR=" + place.folder};  // it may write nowhere else
+    run.command.insert(run.command.end(), command.begin(), command.end());
     run.folder = place.folder, run.working_folder = place.working_folder;
-    run.readable = place.visible;
-    run.readable.push_back(command.front());
-    run.readable.insert(run.readable.end(), settings.job.parse.library_paths.begin(), settings.job.parse.library_paths.end());
-    std::error_code none;
-    for (const char* place : {"/etc/povray", "/usr/share/povray-3.7", "/usr/local/share/povray-3.7"})
-        if (fs::exists(place, none)) run.readable.emplace_back(place);
+    run.readable = all_folders();
+    run.readable.push_back(place.working_folder);
     return run_contained(run, settings.limits, settings.containment, slot);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/commands/support.h"
 
@@ -111,16 +112,17 @@ TEST_F(Versus, KnownPicturesAreNotMadeAgain) {
     ASSERT_EQ(run({"a.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
     std::filesystem::create_directory("scenes");
     std::filesystem::rename("a.pov", "scenes/a.pov");
-    stand_in("cp $here/right.png $out");
+    stand_in(". $here/act");
+    here.write("act", "cp $here/right.png $out");
     ASSERT_EQ(versus({"scenes/a.pov"}).status, 0);
     const std::string before = here.read("versus-results/results.json");
-    stand_in("exit 7");  // whoever starts it now fails
+    here.write("act", "exit 7");  // whoever starts it now fails
     EXPECT_EQ(versus({"scenes/a.pov"}).status, 0);
     EXPECT_EQ(here.read("versus-results/results.json"), before);
     EXPECT_EQ(versus({"scenes/a.pov", "--threads", "1"}).status, 0);  // the picture is the same
     EXPECT_EQ(versus({"scenes/a.pov", "--fresh"}).status, 1);
     EXPECT_EQ(versus({"scenes/a.pov", "-W", "16"}).status, 1);
-    here.write("scenes/table.inc", "// read, perhaps");
+    here.write("scenes/a.pov", std::string(shiny_scene) + "// as \"table.inc\" says\n");
     EXPECT_EQ(versus({"scenes/a.pov"}).status, 1);
     EXPECT_EQ(results()["scenes"][0]["cause"], "failed");
     EXPECT_EQ(results()["scenes"][0]["povray"]["message"], "exit status 7");
@@ -148,6 +150,26 @@ TEST_F(Versus, RefusalsAreToldApart) {
     EXPECT_EQ(versus({"bad.pov"}).status, 0);
 }
 
+TEST_F(Versus, APictureThatNobodyCanReadIsPovraysFailureAndNotKept) {
+    here.write("a.pov", shiny_scene);
+    stand_in("echo no picture > $out");
+    EXPECT_EQ(versus({"a.pov"}).status, 1);
+    EXPECT_EQ(results()["scenes"][0]["cause"], "failed");
+    EXPECT_EQ(results()["scenes"][0]["povray"]["state"], "failed");
+    EXPECT_EQ(results()["scenes"][0]["same"]["state"], "done");
+    ASSERT_EQ(run({"a.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
+    stand_in("cp $here/right.png $out");
+    EXPECT_EQ(versus({"a.pov"}).status, 0);
+}
+
+TEST_F(Versus, AFailureSaysWhatWasPrinted) {
+    here.write("a.pov", shiny_scene);
+    stand_in("echo 'Problem with option setting'; exit 1");
+    EXPECT_EQ(versus({"a.pov"}).status, 1);
+    EXPECT_EQ(results()["scenes"][0]["povray"]["message"], "exit status 1: Problem with option setting");
+    EXPECT_EQ(versus({"a.pov", "-L", "/nosuch"}).err, "raytrace: --library: there is no folder '/nosuch'\n");
+}
+
 TEST_F(Versus, WhatNeverEndsIsEnded) {
     here.write("a.pov", shiny_scene);
     stand_in("sleep 100");
@@ -167,7 +189,15 @@ TEST_F(Versus, AnInterruptionReportsWhatIsDone) {
         "'{}' versus a.pov b.pov -W 32 -H 24 --povray ./stand_in > out 2> err & pid=$!\n"
         "while [ ! -d versus-results/pictures/b ]; do sleep 0.05; done; kill -TERM $pid; wait $pid",
         PROGRAM);
-    EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 2);
+    const auto left = [] {
+        std::set<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::current_path() / "tmp"))
+            names.insert(entry.path().filename().string());
+        return names;
+    };
+    std::filesystem::create_directory("tmp");
+    EXPECT_EQ(WEXITSTATUS(std::system(("TMPDIR=$PWD/tmp; export TMPDIR\n" + script).c_str())), 2);
+    EXPECT_THAT(left(), testing::IsEmpty());
     EXPECT_EQ(results()["scenes"][0]["cause"], "agrees");
     EXPECT_EQ(results()["scenes"][1]["cause"], "not run");
     EXPECT_THAT(here.read("out"), HasSubstr("1 of 2 scenes agree: 1 not run, 1 agrees\n"));
@@ -212,6 +242,30 @@ TEST_F(Versus, PovrayItself) {
     const std::string before = here.read("versus-results/results.json");
     EXPECT_EQ(run({"versus", "scenes", "+W64", "+H48", "+A0.3", "-J", "+AM2", "+WT1", "-q"}).out, "");
     EXPECT_EQ(here.read("versus-results/results.json"), before);
+}
+
+TEST_F(Versus, PovrayReadsWhatAUserWouldHaveItRead) {
+    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "POV-Ray is not installed";
+    for (const char* folder : {"deep/x/y", "\u00e9 l", "named"}) std::filesystem::create_directories(folder);
+    const std::string body = "camera { location -4*z }\nlight_source { <5, 5, -5>, 1 }\nsphere { 0, 1 pigment { C } finish { phong T } }\n";
+    const std::string head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n";
+    here.write("deep/x/y/far.pov", head + "#include \"../../c.inc\"\n#declare T = 0.5;\n" + body);
+    here.write("deep/x/y/povray.ini", "+A0.1\n");  // for POV-Ray alone
+    here.write("deep/c.inc", "#declare C = rgb <1, 0.2, 0.2>;\n");
+    here.write("named/n.inc", "#declare C = rgb <0.3, 1, 0.2>;\n");
+    here.write("\u00e9 l/m.inc", "#declare T = 0.25;\n");
+    here.write("\u00e9 l/sc\u00e8ne 'a\" b.pov", head + "#include \"n.inc\"\n#include \"m.inc\"\n#debug S\n" + body);
+    const std::string command = fmt::format(
+        "RAYTRACE_LIBRARY_PATH=$PWD/named '{}' versus deep '\u00e9 l' -W 48 -H 36 -L '\u00e9 l' --define 'S=a b;[c]' -o 'out \u00e9' > out "
+        "2> err",
+        PROGRAM);
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << here.read("out") << here.read("err");
+    const nlohmann::json all = results("out \u00e9")["scenes"];
+    ASSERT_EQ(all.size(), 2u);
+    for (const nlohmann::json& scene : all) {
+        EXPECT_EQ(scene["cause"], "agrees") << scene.dump(1);
+        std::filesystem::remove(fmt::format("out \u00e9/pictures/{}/povray.png", scene["scene"].get<std::string>()));
+    }
 }
 
 }  // namespace

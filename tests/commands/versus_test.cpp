@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "commands/program_told.h"
+#include "commands/scene_files.h"
 #include "commands/versus_json.h"
 #include "commands/versus_judge.h"
 #include "commands/versus_reports.h"
@@ -40,6 +41,9 @@ TEST(ProgramTold, TimesAndCountsOfPovray) {
     EXPECT_EQ(run.phases.write, 0.0);
     EXPECT_EQ(run.rays, 108626u);
     EXPECT_EQ(run.shadow_tests, 101838u);
+    read_povray_statistics("\nRays: 5\n  Parse Time: (seconds (7 seconds)\n" + std::string(statistics), run);  // printed by a scene
+    EXPECT_EQ(run.rays, 108626u);
+    EXPECT_EQ(run.phases.parse, 62.125);
     read_povray_statistics("nothing of the kind", run);
     EXPECT_EQ(run.phases.trace, 0.0);
     EXPECT_EQ(run.rays, 0u);
@@ -51,6 +55,14 @@ TEST(ProgramTold, AMessageOverSeveralLinesIsOne) {
               "File 'bad.pov' line 1: Parse Error: No matching } in 'sphere', undeclared identifier 'pigmnt' found instead");
     EXPECT_EQ(povray_message("one\ntwo\n-----------\n\n"), "two");
     EXPECT_EQ(povray_message(""), "");
+    // Warnings look like errors; the one that ended it is the last.
+    EXPECT_EQ(
+        povray_message("File 'a.pov' line 1: Possible Parse Error: gamma\nFile 'a.pov' line 9: Parse Error: this\nFatal error in parser\n"),
+        "File 'a.pov' line 9: Parse Error: this");
+    EXPECT_EQ(our_message("a.pov:1: Parse Warning: w\nFile 'a.pov' line 2: Possible Parse Error: no file\n   2 | #include\n"
+                          "File 'a.pov' line 2: Parse Error: this\n   2 | #include\n     | ^^^\n"),
+              "File 'a.pov' line 2: Parse Error: this");
+    EXPECT_LT(our_message(std::string(1u << 20, 'x')).size(), 1100u);
 }
 
 TEST(ProgramTold, VersionsOfPovrayAndOfOthers) {
@@ -80,18 +92,39 @@ VersusSettings settings(const std::vector<std::string>& words) {
 }
 
 TEST(VersusCommands, BothSayTheSame) {
-    const VersusSettings s = settings({"--width=64", "--height=48", "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3", "--define=T=3a",
-                                       "--clock=0.5", "--language=3.6"});
-    EXPECT_THAT(povray_command(s, "/a/b.pov", "/out/povray.png"),
-                ElementsAre("/usr/bin/povray", "+I/a/b.pov", "+O/out/povray.png", "+W64", "+H48", "+FN8", "-D", "-V", "+WT2", "+A0.1",
-                            "+AM2", "+R4", "-J", "+L/a", "+L/lib dir", "Declare=N=3", "Declare=T=\"3a\"", "+K0.5", "+MV3.6"));
+    VersusSettings s = settings({"--width=64", "--height=48", "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3", "--define=T=3a",
+                                 "--clock=0.5", "--language=3.6"});
+    s.folder = "/out", s.installed = {"/share/include"};
+    PovrayNames names("/links");
+    EXPECT_THAT(povray_command(s, "/a/b.pov", "/out/povray.png", names),
+                ElementsAre("/usr/bin/env", "POVINI=/out/povray.ini", "/usr/bin/povray", "+I/a/b.pov", "+O/out/povray.png", "+W64", "+H48",
+                            "+FN8", "-D", "-V", "+A0.1", "+AM2", "+R4", "-J", "Declare=N=3", "Declare='T=\"3a\"'", "+K0.5", "+MV3.6",
+                            "+WT2", "+L/a", "+L\"/lib dir\"", "+L/share/include"));
+    EXPECT_TRUE(names.links().empty());
     EXPECT_THAT(
         our_command(s, "/a/b.pov", Maker::same, "same.png"),
         ElementsAre("/p/raytrace", "/a/b.pov", "--width=64", "--height=48", "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3",
                     "--define=T=3a", "--clock=0.5", "--language=3.6", "--threads=2", "--shading=povray", "--stats", "-o", "same.png"));
     EXPECT_THAT(our_command(settings({}), "/b.pov", Maker::general, "general.png"),
                 ElementsAre("/p/raytrace", "/b.pov", "--threads=2", "--stats", "-o", "general.png"));
-    EXPECT_THAT(povray_command(settings({"--width=8"}), "/b.pov", ""), testing::Contains("-A"));
+    EXPECT_THAT(povray_picture_words(settings({"--width=8"}).job), testing::Contains("-A"));
+}
+
+TEST(VersusCommands, NamesThatPovrayCannotReadGetALink) {
+    PovrayNames names("/links");
+    EXPECT_EQ(names.word("/a/b;[c] d'.pov", "scene.pov"), "\"/a/b;[c] d'.pov\"");
+    EXPECT_EQ(names.word("/a/b\"c.pov", "scene.pov"), "'/a/b\"c.pov'");
+    EXPECT_EQ(names.word("/a/\u00e9", "folder"), "/links/folder");
+    EXPECT_EQ(names.word("/a/'\"", "library1"), "/links/library1");
+    EXPECT_EQ(names.word("/a\n", "library2"), "/links/library2");
+    EXPECT_EQ(names.links().size(), 3u);
+    EXPECT_EQ(names.without_links("File '/links/folder/x.inc' line 3"), "File '/a/\u00e9/x.inc' line 3");
+}
+
+TEST(VersusCommands, ValuesThatPovrayCannotTakeAreMistakes) {
+    for (const char* word : {"--define=N=nan", "--define=N=inf", "--define=T=a'b", "--define=T=a\\b", "--define=T=\u00e9"})
+        EXPECT_THROW(povray_picture_words(settings({word}).job), OptionError) << word;
+    EXPECT_THAT(povray_picture_words(settings({"--define=T=a b;[c]"}).job), testing::Contains("Declare='T=\"a b;[c]\"'"));
 }
 
 /// 10 x 10 grey pixels, the first `count` of them brighter by `step`.
@@ -140,7 +173,12 @@ TEST(VersusJudge, EveryEndHasItsCause) {
     EXPECT_EQ(cause(result(none, none, none)), VersusCause::not_run);
     EXPECT_EQ(cause(result(failed, done, done)), VersusCause::failed);
     EXPECT_EQ(cause(result(done, done, failed)), VersusCause::failed);
-    EXPECT_EQ(cause(result(refused, refused, refused)), VersusCause::both_refuse);
+    VersusResult both = result(refused, refused, refused);
+    EXPECT_EQ(cause(both), VersusCause::failed);  // neither says that it is the scene's mistake
+    for (VersusRun& run : both.runs) run.message = "File 'a.pov' line 1: Parse Error: no";
+    EXPECT_EQ(cause(both), VersusCause::both_refuse);
+    both.run(Maker::same).message = "a limit of ours";
+    EXPECT_EQ(cause(both), VersusCause::failed);
     EXPECT_EQ(cause(result(refused, done, done)), VersusCause::povray_refuses);
     EXPECT_EQ(cause(result(done, refused, refused)), VersusCause::refused);
     VersusResult missing = result(done, refused, refused);
@@ -291,7 +329,8 @@ TEST(VersusScenes, NamesAndWhatIsLeftOut) {
         return list;
     };
     EXPECT_THAT(names({"a"}), ElementsAre("a/inner/y", "a/x"));
-    EXPECT_THAT(names({"a/x.pov", "a/x", "b/a", "a/"}), ElementsAre("x", "x-2", "a/x", "a/inner/y", "a/x-2"));
+    EXPECT_THAT(names({"a/x.pov", "a/x", "b/a", "a/"}), ElementsAre("x", "a/x", "a/inner/y"));
+    EXPECT_THAT(names({"a/x.pov", "b/a/x.pov", "a/inner/y.POV"}), ElementsAre(testing::EndsWith("/a/x"), "b/a/x", "y"));
     EXPECT_THAT(names({"a"}, "^a/x"), ElementsAre("a/x"));
     const auto message = [&](const std::vector<std::string>& arguments, const std::string& only) {
         try {
@@ -308,17 +347,30 @@ TEST(VersusScenes, NamesAndWhatIsLeftOut) {
     EXPECT_EQ(message({"empty"}, ""), "there is no scene (*.pov) in the folder 'empty'");
 }
 
-TEST(VersusScenes, FilesBesideASceneCountOtherScenesDoNot) {
+TEST(SceneFiles, WhatASceneNamesCountsWhereverItLies) {
     const test::Workplace here;
-    std::filesystem::create_directories("a/out");
-    here.write("a/x.pov", "x"), here.write("a/n.inc", "1");
-    const std::string out = std::filesystem::canonical("a/out").string();
-    const auto print = [&] { return scenes_of({"a/x.pov"}, "", out)[0].surroundings; };
-    const std::string before = print();
-    here.write("a/other.pov", "y"), here.write("a/out/povray.png", "z");
-    EXPECT_EQ(print(), before);
-    here.write("a/n.inc", "2");
-    EXPECT_NE(print(), before);
+    std::filesystem::create_directories("a/inner"), std::filesystem::create_directory("lib");
+    here.write("a/inner/x.pov", "// it isn\"t\n#include \"../n\"\nimage_map { png \"map\" } // \"not/there\"\n");
+    here.write("a/n.inc", "#fopen F \"data.txt\" read"), here.write("a/data.txt", "1"), here.write("lib/map.png", "p");
+    const std::string scene = std::filesystem::canonical("a/inner/x.pov").string(), lib = std::filesystem::canonical("lib").string();
+    const auto files = [&] { return files_of_scene(scene, {lib}, {}, {}); };
+    std::string before = files().fingerprint;
+    EXPECT_TRUE(files().complete);
+    const auto changes = [&](const std::string& name, const std::string& text) {
+        here.write(name, text);
+        const std::string after = files().fingerprint;
+        const bool changed = after != before;
+        before = after;
+        return changed;
+    };
+    EXPECT_FALSE(changes("a/inner/other.txt", "nobody reads it"));
+    EXPECT_TRUE(changes("a/data.txt", "2"));
+    EXPECT_TRUE(changes("lib/map.png", "q"));
+    EXPECT_TRUE(changes("a/inner/map.png", "found first"));
+    std::filesystem::create_directory("a/inner/not");
+    EXPECT_TRUE(changes("a/inner/not/there", "now it is"));
+    EXPECT_TRUE(changes("a/n.inc", "#fopen F concat(\"da\", \"ta.txt\") read"));
+    EXPECT_FALSE(files().complete);
 }
 
 }  // namespace
