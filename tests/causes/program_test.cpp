@@ -58,7 +58,7 @@ protected:
         fs::permissions(program, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read |
                                      fs::perms::others_exec);
         call(fmt::format("'{}' grade '{}' --exe '{}' -o '{}' --fresh -j 1", PROGRAM, (place / "suite/suite.json").string(),
-                         program.string(), (place / "results").string()),
+                         program.parent_path().string(), (place / "results").string()),
              1);
         return contents(place / "results/results.json");
     }

@@ -289,7 +289,7 @@ class ReportCases(unittest.TestCase):
         suite = harness.make_suite(PROGRAM, self.place)
         program = harness.make_program(PROGRAM, self.place / "flopped", 'case "$1" in render) ;; *) exec "$real" "$@" ;; esac\n'
                                        '"$real" "$@" && /usr/bin/convert output.png -flop output.png')
-        harness.grade(PROGRAM, suite, self.place / "out", "--exe", program, check=1)
+        harness.grade(PROGRAM, suite, self.place / "out", "--exe", program.parent, check=1)
         page = self.open(self.place / "out" / "report.html", "#plain")
         expected = suite.parent / "answers" / "plain.png"
         picture = json.loads((self.place / "out" / "times.json").read_text())["times"][2]["picture"]
@@ -303,7 +303,7 @@ class ReportCases(unittest.TestCase):
             shown = [list(map(int, value.split()))[:3] for value in page.evaluate(NUMBERS)]
             self.assertEqual(shown, numbers, (x, y))
         before = (self.place / "out" / "report.html").stat().st_mtime_ns
-        harness.grade(PROGRAM, suite, self.place / "out", "--exe", program, check=1)
+        harness.grade(PROGRAM, suite, self.place / "out", "--exe", program.parent, check=1)
         self.assertEqual((self.place / "out" / "report.html").stat().st_mtime_ns, before)
 
     def test_400_tests_answer_within_a_second(self):
