@@ -125,9 +125,7 @@ std::vector<ReportPicture> pictures_of(const Result& result, const TestCase* tes
 ReportRow report_row(const Result& result, const TestCase* test) {
     ReportRow row;
     Json& data = row.data;
-    data = {{"name", result.test},
-            {"good", result.outcome == Outcome::passed || result.outcome == Outcome::shown},
-            {"cells", cells_of(result)}};
+    data = {{"name", result.test}, {"good", is_good(result.outcome)}, {"cells", cells_of(result)}};
     if (!result.required) data["tag"] = "optional";
     const auto put = [&](const char* name, const std::string& text, std::size_t most) {
         if (!text.empty()) data[name] = cut(text, most);

@@ -45,18 +45,16 @@ bool is_failure(const Result& result) {
     return result.outcome == Outcome::wrong_answer || result.outcome == Outcome::wrong_size || result.outcome == Outcome::no_output;
 }
 
-bool is_good(const Result& result) { return result.outcome == Outcome::passed || result.outcome == Outcome::shown; }
-
 std::string junit_case(const Result& result) {
     std::string text = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml(result.submission), xml(result.test),
                                    result.wall_seconds);
-    if (is_good(result) && result.output.empty()) return text + "/>\n";
+    if (is_good(result.outcome) && result.output.empty()) return text + "/>\n";
     text += ">\n";
     const std::string_view outcome = name_of(outcome_names, result.outcome);
     const std::string told = result.cause.empty() ? result.reason : fmt::format("{} ({})", result.reason, result.cause);
     if (result.outcome == Outcome::not_run)
         text += "      <skipped/>\n";
-    else if (!is_good(result))
+    else if (!is_good(result.outcome))
         text += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", is_failure(result) ? "failure" : "error", outcome,
                             xml(told), xml(result.explanation));
     if (!result.output.empty()) text += fmt::format("      <system-out>{}</system-out>\n", xml(result.output));
@@ -99,7 +97,7 @@ std::string junit_text(const GradeRecord& record) {
                 ++skipped;
             else if (is_failure(result))
                 ++failed;
-            else if (!is_good(result))
+            else if (!is_good(result.outcome))
                 ++erroneous;
             seconds += result.wall_seconds;
             cases += junit_case(result);

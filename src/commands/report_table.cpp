@@ -30,7 +30,7 @@ std::string figures_text(const Result& result) {
 }
 
 std::string line_of(const Result& result, std::size_t width) {
-    const bool good = result.outcome == Outcome::passed || result.outcome == Outcome::shown;
+    const bool good = is_good(result.outcome);
     std::string text = fmt::format("{} {:<{}} {:>8.3f} s  {:<47}", good ? "ok  " : "FAIL", shown(result.test), width, result.wall_seconds,
                                    figures_text(result));
     if (!good) text += fmt::format("  {}", name_of(outcome_names, result.outcome));

@@ -8,6 +8,7 @@
 
 #include "commands/report_page.h"
 #include "commands/shell_words.h"
+#include "commands/versus_reports.h"
 #include "grading/result_names.h"
 
 namespace rt {
@@ -56,7 +57,8 @@ Json cells_of(const VersusResult& result, Maker judged, const std::string& missi
 }
 
 std::string likeness_text(const Likeness& like) {
-    std::string text = fmt::format("{}: {:.3f} % of the pixels within the step", like.agrees ? "agrees" : "differs", like.percent_within());
+    std::string text = fmt::format("{}: {} % of the pixels within the step, {} beyond", like.agrees ? "agrees" : "differs",
+                                   percent_text(like, 3), like.beyond);
     for (const auto& [name, metric] : metric_names) text += fmt::format(", {} {:.6g}", rt::title_of(metric), like.figures[metric]);
     if (!like.region) return text;
     const DifferingRegion& r = *like.region;
@@ -74,6 +76,7 @@ std::string run_text(const VersusRun& run) {
 Json facts_of(const VersusResult& result) {
     Json facts = Json::array();
     const auto tell = [&](std::string_view name, std::string text) { facts.push_back({name, std::move(text)}); };
+    tell("Scene", result.path);
     for (const Maker maker : {Maker::same, Maker::general})
         if (result.like(maker)) tell(title_of(maker), likeness_text(*result.like(maker)));
     for (const MissingFeature& m : result.missing) tell("Not modelled", fmt::format("{} ({}:{}:{})", m.name, m.file, m.line, m.column));

@@ -78,6 +78,14 @@ std::vector<const VersusResult*> worst_first(const VersusRecord& record) {
     return list;
 }
 
+std::string percent_text(const Likeness& like, int digits) {
+    std::uint64_t scale = 1;
+    for (int i = 0; i < digits; ++i) scale *= 10;
+    const std::uint64_t pixels = like.figures.pixels, within = pixels - like.beyond;
+    const std::uint64_t value = pixels ? 100 * scale * within / pixels : 0;
+    return fmt::format("{}.{:0{}}", value / scale, value % scale, digits);
+}
+
 std::string versus_results_text(const VersusRecord& record) {
     Json summary, missing = Json::array();
     for (const auto& [name, cause] : cause_names)

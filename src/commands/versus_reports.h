@@ -39,4 +39,8 @@ std::string versus_table_text(const VersusRecord& record);
 /// Writes results.json, times.json, results.csv and report.html (versus_page.h) into `folder`.
 void write_versus_reports(const VersusRecord& record, const std::string& folder);
 
+/// Pixels within the step in percent with `digits` behind the point, rounded down: 100 is all of them, and a limit that is not reached
+/// never looks as if it were.
+std::string percent_text(const Likeness& like, int digits);
+
 }  // namespace rt

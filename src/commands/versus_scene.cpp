@@ -36,6 +36,21 @@ struct Reading {
     bool draws_edges = false;  ///< lines that POV-Ray has not
 };
 
+/// What a run of ours has written as JSON; empty if it is not there or not whole.
+template <class T, class Read>
+std::optional<T> read_written(const std::string& path, const Read& read) {
+    std::optional<std::string> text = read_file_text(path, most_bytes);
+    if (!text) return std::nullopt;
+    Sources sources;
+    sources.add({path, std::move(*text)});
+    try {
+        const nlohmann::json content = parse_json(sources);
+        return read(JsonValue(sources, content));
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
+}
+
 class SceneRun {
 public:
     SceneRun(const VersusSettings& settings, const VersusScene& scene, const EntryStore& known, int slot)
@@ -95,18 +110,10 @@ private:
     }
 
     bool take_known(const std::string& key) {
-        std::optional<std::string> text = read_file_text(known_.path(key, "run.json"), most_bytes);
-        if (!text) return false;
-        Sources sources;
-        sources.add({key, std::move(*text)});
-        VersusRun run;
-        try {
-            const nlohmann::json content = parse_json(sources);
-            const JsonValue value(sources, content);
-            run = run_of_json(value["run"], value["times"]);
-        } catch (const SceneError&) {
-            return false;
-        }
+        std::optional<VersusRun> known = read_written<VersusRun>(
+            known_.path(key, "run.json"), [](const JsonValue& value) { return run_of_json(value["run"], value["times"]); });
+        if (!known) return false;
+        VersusRun& run = *known;
         // Where it lies now, which may be another place.
         run.command = command_for(Maker::povray, place_of(picture_name(Maker::povray)));
         const std::optional<std::string> picture = read_file_text(known_.path(key, "picture.png"), most_bytes);
@@ -234,17 +241,7 @@ void run_scene(const VersusSettings& settings, const VersusScene& scene, const E
 
 std::optional<VersusResult> result_of_scene(const VersusSettings& settings, const VersusScene& scene) {
     const std::string path = (fs::path(pictures_of(settings, scene)) / result_name).string();
-    std::optional<std::string> text = read_file_text(path, most_bytes);
-    if (!text) return std::nullopt;
-    Sources sources;
-    sources.add({path, std::move(*text)});
-    try {
-        const nlohmann::json content = parse_json(sources);
-        const JsonValue value(sources, content);
-        return versus_of_json(value["result"], value["times"]);
-    } catch (const SceneError&) {
-        return std::nullopt;
-    }
+    return read_written<VersusResult>(path, [](const JsonValue& value) { return versus_of_json(value["result"], value["times"]); });
 }
 
 void remove_result_of(const VersusSettings& settings, const VersusScene& scene) {

@@ -24,8 +24,8 @@ std::string colour_text(const std::array<int, 3>& colour) { return fmt::format("
 std::string figures_text(const std::optional<Likeness>& like) {
     if (!like) return fmt::format("{:42}", "");
     const PictureFigures& f = like->figures;
-    return fmt::format("{:>7.2f} %  {:.4f}  {:.4f}  {:.4f}  {:.4f} ", like->percent_within(), f[Metric::rmse], f[Metric::p99],
-                       f[Metric::flip], f[Metric::neighbourhood]);
+    return fmt::format("{:>7} %  {:.4f}  {:.4f}  {:.4f}  {:.4f} ", percent_text(*like, 2), f[Metric::rmse], f[Metric::p99], f[Metric::flip],
+                       f[Metric::neighbourhood]);
 }
 
 std::string seconds_text(const VersusRun& run) {
@@ -57,7 +57,7 @@ std::string messages_text(const VersusResult& result) {
 std::string scene_text(const VersusResult& result, const VersusLimits& limits, std::size_t width) {
     const std::optional<Likeness>& general = result.like(Maker::general);
     std::string text = fmt::format("  {:<{}} {}", name_text(result), width, figures_text(result.like(Maker::same)));
-    text += general ? fmt::format("{:>8.2f} %", general->percent_within()) : fmt::format("{:>10}", "");
+    text += general ? fmt::format("{:>8} %", percent_text(*general, 2)) : fmt::format("{:>10}", "");
     for (const VersusRun& run : result.runs) text += seconds_text(run);
     while (text.ends_with(' ')) text.pop_back();
     text += "\n";

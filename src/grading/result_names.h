@@ -20,6 +20,8 @@ inline constexpr NameTable<Outcome, 14> outcome_names{{{"passed", Outcome::passe
                                                        {"shown", Outcome::shown},
                                                        {"not judged", Outcome::not_judged},
                                                        {"not run", Outcome::not_run}}};
+/// Whether a test has nothing against a program: it passed, or only shows.
+constexpr bool is_good(Outcome outcome) { return outcome == Outcome::passed || outcome == Outcome::shown; }
 inline constexpr NameTable<TestCase::Kind, 3> kind_names{
     {{"text", TestCase::Kind::text}, {"picture", TestCase::Kind::picture}, {"shown", TestCase::Kind::shown}}};
 inline constexpr NameTable<Metric, metrics> metric_names{{{"differing", Metric::differing},

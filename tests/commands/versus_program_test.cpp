@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "commands/shell_words.h"
 #include "tests/commands/support.h"
 
 namespace rt {
@@ -264,7 +265,18 @@ TEST_F(Versus, PovrayReadsWhatAUserWouldHaveItRead) {
     ASSERT_EQ(all.size(), 2u);
     for (const nlohmann::json& scene : all) {
         EXPECT_EQ(scene["cause"], "agrees") << scene.dump(1);
-        std::filesystem::remove(fmt::format("out \u00e9/pictures/{}/povray.png", scene["scene"].get<std::string>()));
+        // Each command makes its picture again.
+        for (const char* maker : {"povray", "same", "general"}) {
+            const std::filesystem::path path = scene["path"].get<std::string>();
+            const std::string picture = fmt::format("out \u00e9/pictures/{}/{}.png", scene["scene"].get<std::string>(), maker);
+            const std::string before = here.read(picture);
+            std::filesystem::remove(picture);
+            std::string again = fmt::format("cd {} &&", shell_word(path.parent_path().string()));
+            for (const nlohmann::json& word : scene[maker]["command"]) again += " " + shell_word(word.get<std::string>());
+            EXPECT_EQ(std::system((again + " > /dev/null 2>&1").c_str()), 0) << again;
+            EXPECT_TRUE(here.has(picture)) << again;
+            EXPECT_TRUE(std::string(maker) == "povray" || here.read(picture) == before);
+        }
     }
 }
 

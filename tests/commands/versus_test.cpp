@@ -239,6 +239,19 @@ TEST(VersusReports, FeaturesAreRankedByWhatTheyGain) {
     EXPECT_EQ(counts[2].only_this, 0u);
 }
 
+TEST(VersusReports, PercentagesAreRoundedDown) {
+    Likeness like;
+    like.figures.pixels = 1'000'000, like.beyond = 1;
+    EXPECT_EQ(percent_text(like, 3), "99.999");
+    like.beyond = 20'001;
+    EXPECT_EQ(percent_text(like, 2), "97.99");
+    like.beyond = 20'000;
+    EXPECT_EQ(percent_text(like, 2), "98.00");
+    like.beyond = 0;
+    EXPECT_EQ(percent_text(like, 3), "100.000");
+    EXPECT_EQ(percent_text({}, 2), "0.00");
+}
+
 TEST(VersusReports, WorstComeFirst) {
     const VersusRecord all = record();
     std::vector<std::string> names;
