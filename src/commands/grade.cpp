@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 #include "commands/audit.h"
 #include "commands/command_line.h"
@@ -15,6 +14,7 @@
 #include "commands/help.h"
 #include "commands/interrupt.h"
 #include "commands/job_steps.h"
+#include "commands/name_pattern.h"
 #include "commands/run_place.h"
 #include "commands/submissions.h"
 #include "commands/suite_file.h"
@@ -73,8 +73,8 @@ void define(CommandLine& line, GradeJob& job) {
 /// The suite with the tests that are asked for.
 Suite only(Suite suite, const std::string& pattern) {
     if (pattern.empty()) return suite;
-    const std::regex wanted = regular_expression("only", pattern);
-    std::erase_if(suite.tests, [&](const TestCase& test) { return !std::regex_search(test.name, wanted); });
+    const auto wanted = name_pattern("only", pattern);
+    std::erase_if(suite.tests, [&](const TestCase& test) { return !wanted(test.name); });
     if (suite.tests.empty()) throw OptionError(fmt::format("--only: no test's name matches '{}'", pattern));
     return suite;
 }

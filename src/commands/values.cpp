@@ -49,14 +49,6 @@ bool on_or_off(std::string_view what, std::string_view text) {
     throw OptionError(fmt::format("{}: '{}' is neither on nor off", what, text));
 }
 
-std::regex regular_expression(std::string_view what, const std::string& text) {
-    try {
-        return std::regex(text);
-    } catch (const std::regex_error&) {
-        throw OptionError(fmt::format("--{}: '{}' is no regular expression", what, text));
-    }
-}
-
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
     for (std::size_t begin = 0;;) {

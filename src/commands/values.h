@@ -1,7 +1,6 @@
 // Words of the command line to numbers and switches, each refusal in full words.
 #pragma once
 
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +17,6 @@ double real_number(std::string_view what, std::string_view text, double least, d
 Rgb one_or_three(std::string_view what, std::string_view text, double least, double most);
 /// on, true, yes, 1, y, t or off, false, no, 0, n, f; case ignored. An empty text means on.
 bool on_or_off(std::string_view what, std::string_view text);
-/// Throws OptionError naming the option `what`.
-std::regex regular_expression(std::string_view what, const std::string& text);
 std::vector<std::string> split(std::string_view text, char separator);
 /// What a message shows of a text that may hold anything: control bytes as '?', cut with "..." behind `most` bytes.
 std::string printable(std::string_view text, std::size_t most);

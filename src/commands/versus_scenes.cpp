@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "commands/name_pattern.h"
 #include "commands/values.h"
 #include "core/source.h"
 
@@ -86,8 +87,8 @@ std::vector<VersusScene> scenes_of(const std::vector<std::string>& arguments, co
     std::erase_if(scenes, [&](const VersusScene& scene) { return !seen.insert(scene.path).second; });
     name_apart(scenes);
     if (!only.empty()) {
-        const std::regex wanted = regular_expression("only", only);
-        std::erase_if(scenes, [&](const VersusScene& scene) { return !std::regex_search(scene.name, wanted); });
+        const auto wanted = name_pattern("only", only);
+        std::erase_if(scenes, [&](const VersusScene& scene) { return !wanted(scene.name); });
         if (scenes.empty()) throw OptionError(fmt::format("--only: no scene's name matches '{}'", only));
     }
     return scenes;
