@@ -197,13 +197,22 @@ class Page:
         }})""")
 
     def box(self, selector):
-        """left, top, width and height in the window; scrolled into it before."""
-        return self.evaluate(f"""(() => {{
+        """left, top, width and height in the window, once they stay what they are; scrolled into it before."""
+        return self.evaluate(f"""new Promise((resolve) => {{
             const element = document.querySelector({json.dumps(selector)});
             element.scrollIntoView({{ block: "nearest" }});
-            const box = element.getBoundingClientRect();
-            return [box.left, box.top, box.width, box.height];
-        }})()""")
+            const measure = () => {{
+                const box = element.getBoundingClientRect();
+                return [box.left, box.top, box.width, box.height];
+            }};
+            const settle = (before, frames) => requestAnimationFrame(() => {{
+                const now = measure();
+                const same = now.every((value, i) => value === before[i]);
+                if (same && frames > 0) resolve(now);
+                else settle(now, same ? 1 : 0);
+            }});
+            settle(measure(), 0);
+        }})""")
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
