@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "commands/difference_file.h"
 #include "commands/help.h"
+#include "commands/json_text.h"
 #include "commands/output_name.h"
 #include "commands/text.h"
 #include "commands/values.h"
@@ -88,7 +89,7 @@ int report_sizes(const CompareJob& job, const StoredImage& a, const StoredImage&
                                              {"verdict", verdict_name(Verdict::size_differs)},
                                              {"size_a", {a.width, a.height}},
                                              {"size_b", {b.width, b.height}}};
-        write_stdout(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+        write_stdout(json_text(json, 2));
     } else if (!job.quiet) {
         write_stdout(fmt::format("sizes differ: {} x {} and {} x {}\n", a.width, a.height, b.width, b.height));
     }
@@ -111,7 +112,7 @@ int run(const CompareJob& job) {
     const PixelCounts counts = count_pixels(a, b, job.limits);
     const Verdict result = verdict(counts, difference.pixels, job.limits);
     if (job.json)
-        write_stdout(json_of(job, difference, counts, result).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+        write_stdout(json_text(json_of(job, difference, counts, result), 2));
     else if (!job.quiet)
         write_stdout(text_of(job, difference, counts, result));
     if (!job.picture.empty()) write_difference(job, a, b);

@@ -150,6 +150,7 @@ int run(GradeJob job) {
     grading.containment = find_containment();
     for (const std::string& path : job.readable) grading.readable.push_back(existing_path(path));
     grading.common_hash = common_hash_of(grading);
+    grading.rule_hashes = rule_hashes_of(grading.suite);
     const std::vector<std::string> uncontained = holes(grading.containment);
     for (const std::string& hole : uncontained) messages(fmt::format("raytrace: warning: {}", hole));
     const std::vector<Submission> submissions = programs_of(job, grading.containment, messages);

@@ -166,6 +166,19 @@ Result run_once(const Grading& grading, const Submission& submission, const Test
     return judged(grading.suite, test, ending, place, run_again, picture);
 }
 
+/// Of everything that a test says, its right answer among it.
+std::string rule_hash_of(const TestCase& test) {
+    std::string rule = fmt::format("{}\n{}\n{}\n{}\n", name_of(kind_names, test.kind), fmt::join(test.arguments, "\n"),
+                                   test.expected.empty() ? "" : hash_of_file(test.expected), test.output);
+    rule += fmt::format("{} {} {} {} {}\n", test.limits.wall_seconds, test.limits.memory_bytes, test.limits.output_bytes,
+                        test.limits.file_bytes, test.limits.processes);
+    rule += fmt::format("{} {} {} {}\n", test.fuzz_percent, test.tolerance, test.timed, test.repeats);
+    for (const Threshold& threshold : test.pass) rule += fmt::format("{} {}\n", name_of(metric_names, threshold.metric), threshold.at_most);
+    rule += fmt::format("{}", name_of(metric_names, test.curve.metric));
+    for (const auto& [figure, share] : test.curve.points) rule += fmt::format(" {} {}", figure, share);
+    return hash_of(rule);
+}
+
 }  // namespace
 
 std::string common_hash_of(const Grading& grading) {
@@ -176,18 +189,16 @@ std::string common_hash_of(const Grading& grading) {
     return hash_of(all + fmt::format("{} {} {} {}", !c.bubblewrap.empty(), !c.memory_group.empty(), !c.pids_group.empty(), c.own_user));
 }
 
+std::map<std::string, std::string> rule_hashes_of(const Suite& suite) {
+    std::map<std::string, std::string> hashes;
+    for (const TestCase& test : suite.tests) hashes[test.name] = rule_hash_of(test);
+    return hashes;
+}
+
 std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test) {
-    std::string rule = fmt::format("{}\n{}\n", submission.hash, grading.common_hash);
-    if (test.kind == TestCase::Kind::shown) rule += hash_of(own_scene(submission, test).bytes.value_or("")) + "\n";
-    rule += fmt::format("{}\n{}\n{}\n{}\n", name_of(kind_names, test.kind), fmt::join(test.arguments, "\n"),
-                        test.expected.empty() ? "" : hash_of_file(test.expected), test.output);
-    rule += fmt::format("{} {} {} {} {}\n", test.limits.wall_seconds, test.limits.memory_bytes, test.limits.output_bytes,
-                        test.limits.file_bytes, test.limits.processes);
-    rule += fmt::format("{} {} {} {}\n", test.fuzz_percent, test.tolerance, test.timed, test.repeats);
-    for (const Threshold& threshold : test.pass) rule += fmt::format("{} {}\n", name_of(metric_names, threshold.metric), threshold.at_most);
-    rule += fmt::format("{}", name_of(metric_names, test.curve.metric));
-    for (const auto& [figure, share] : test.curve.points) rule += fmt::format(" {} {}", figure, share);
-    return hash_of(rule);
+    std::string all = fmt::format("{}\n{}\n{}\n", submission.hash, grading.common_hash, grading.rule_hashes.at(test.name));
+    if (test.kind == TestCase::Kind::shown) all += hash_of(own_scene(submission, test).bytes.value_or(""));
+    return hash_of(all);
 }
 
 bool has_scene(const Submission& submission, const TestCase& test) { return own_scene(submission, test).bytes.has_value(); }

@@ -1,6 +1,7 @@
 // One test of one program, from its start to its entry in the store.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "commands/grade_store.h"
@@ -22,13 +23,17 @@ struct Submission {
 struct Grading {
     Suite suite;
     Containment containment;
-    std::string common_hash;            ///< of what every result depends on: the scenes, what is readable, containment, and this program
-    std::vector<std::string> readable;  ///< files and folders that every program may read besides
-    std::string folder;                 ///< of the results: never shown to a program
+    std::string common_hash;  ///< of what every result depends on: the scenes, what is readable, containment, and this program
+    std::map<std::string, std::string> rule_hashes;  ///< by tests' names: of what each says, its right answer among it
+    std::vector<std::string> readable;               ///< files and folders that every program may read besides
+    std::string folder;                              ///< of the results: never shown to a program
 };
 
 /// `Grading::common_hash` of the other members.
 std::string common_hash_of(const Grading& grading);
+
+/// `Grading::rule_hashes`: reads every right answer once, however many programs are graded by it.
+std::map<std::string, std::string> rule_hashes_of(const Suite& suite);
 
 /// Everything that the result of a test depends on, as one name.
 std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test);

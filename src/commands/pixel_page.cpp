@@ -8,6 +8,7 @@
 #include "commands/encoding.h"
 #include "commands/interrupt.h"
 #include "commands/job_steps.h"
+#include "commands/json_text.h"
 #include "commands/names.h"
 #include "commands/pixel_page_rays.h"
 #include "commands/ray_tree_values.h"
@@ -175,14 +176,14 @@ Json pixel_of(const PixelPage& page, const PixelPlace& place, const PixelText& t
 
 void append(std::string& text, const PixelPage& page, const TracedPixels& pixels, bool asked) {
     for (std::size_t i = 0; i < pixels.places.size(); ++i) {
-        std::string pixel = line_of(pixel_of(page, pixels.places[i], pixels.texts.pixels[i], asked));
+        std::string pixel = json_line(pixel_of(page, pixels.places[i], pixels.texts.pixels[i], asked));
         pixel.pop_back();
         text += fmt::format("{}\n{},\"samples\":{}}}", asked && i == 0 ? "" : ",", pixel, pixels.texts.pixels[i].samples);
     }
 }
 
 std::string data_of(const PixelPage& page) {
-    std::string text = line_of(head_of(page));
+    std::string text = json_line(head_of(page));
     text.pop_back();
     text += ",\n\"pixels\":[";
     append(text, page, page.asked, true);

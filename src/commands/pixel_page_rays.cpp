@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 
+#include "commands/json_text.h"
 #include "commands/kept_rays.h"
 #include "commands/ray_tree_values.h"
 
@@ -69,7 +70,7 @@ PixelTexts pixel_texts(const World& world, const Scene& scene, const RenderOptio
             for (const KeptRay& ray : kept) list.push_back(ray_of(scene, log.nodes[ray.ray], ray));
             told.push_back(std::move(list));
         }
-        pixel.samples = line_of(told);
+        pixel.samples = json_line(told);
         return true;
     });
     texts.too_many = rays > most_in_all;

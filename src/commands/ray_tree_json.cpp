@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/json_text.h"
 #include "commands/names.h"
 #include "commands/ray_tree_names.h"
 #include "commands/ray_tree_values.h"
@@ -32,13 +33,13 @@ Json head_of(const TracedPixel& pixel) {
 std::string ray_tree_json(const TracedPixel& pixel) {
     std::string text = "{\n";
     const Json head = head_of(pixel);
-    for (const auto& [name, value] : head.items()) text += fmt::format("  {}: {},\n", line_of(name), line_of(value));
+    for (const auto& [name, value] : head.items()) text += fmt::format("  {}: {},\n", json_line(name), json_line(value));
     text += "  \"samples\": [";
     for (std::size_t s = 0; s < pixel.rays.samples.size(); ++s) {
         text += s == 0 ? "\n    [" : ",\n    [";
         const std::vector<RayNode>& nodes = pixel.rays.samples[s].nodes;
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            text += (i == 0 ? "\n      " : ",\n      ") + line_of(json_of(pixel.scene, nodes[i]));
+            text += (i == 0 ? "\n      " : ",\n      ") + json_line(json_of(pixel.scene, nodes[i]));
         text += "\n    ]";
     }
     return text + "\n  ]\n}\n";

@@ -82,6 +82,4 @@ Json json_of(const Scene& scene, const RayNode& node) {
     return ray;
 }
 
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 }  // namespace rt

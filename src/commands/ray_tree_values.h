@@ -21,7 +21,4 @@ Json json_of(const CameraBasis& camera);
 /// One entry of `samples`.
 Json json_of(const Scene& scene, const RayNode& node);
 
-/// On one line, in UTF-8: names of files need not be that, and what is not becomes U+FFFD.
-std::string line_of(const Json& json);
-
 }  // namespace rt

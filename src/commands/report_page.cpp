@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "commands/json_text.h"
 #include "commands/page_pictures.h"
 #include "commands/text.h"
 #include "core/name_table.h"
@@ -23,8 +24,6 @@ constexpr NameTable<CellKind, 7> cell_kinds{{{"text", CellKind::text},
                                              {"seconds", CellKind::seconds},
                                              {"bytes", CellKind::bytes}}};
 
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 /// Everything but the rows, as an object without its end.
 std::string head_of(const ReportPage& page) {
     Json columns = Json::array();
@@ -36,7 +35,7 @@ std::string head_of(const ReportPage& page) {
     head["facts"] = page.facts, head["notes"] = page.notes;
     if (!page.back_href.empty()) head["back"] = {{"href", page.back_href}, {"text", page.back}};
     head["rows_name"] = page.rows_name, head["bad_name"] = page.bad_name, head["columns"] = columns;
-    std::string text = line_of(head);
+    std::string text = json_line(head);
     text.pop_back();
     return text;
 }
@@ -73,7 +72,7 @@ std::string data_of(const ReportPage& page, PagePictures& embedded, const Pictur
     for (std::size_t i = 0; i < page.rows.size(); ++i) {
         Json row = page.rows[i].data;
         if (!pictures[i].empty()) row["pictures"] = std::move(pictures[i]);
-        text += fmt::format("{}\n{}", i ? "," : "", line_of(row));
+        text += fmt::format("{}\n{}", i ? "," : "", json_line(row));
     }
     return text + "\n]}\n";
 }

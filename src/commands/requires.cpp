@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "commands/job_steps.h"
+#include "commands/json_text.h"
 #include "commands/render_arguments.h"
 #include "commands/requirements.h"
 #include "commands/text.h"
@@ -82,7 +83,7 @@ int run_requires(const Words& words) {
             status = 1;
         }
     }
-    if (as_json) write_stdout(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    if (as_json) write_stdout(json_text(all, 2));
     return status;
 }
 

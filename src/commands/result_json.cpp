@@ -114,14 +114,10 @@ void read_times(const JsonValue& value, Result& result) {
 
 std::string json_listing(const Json& head, const char* list, const std::vector<Json>& entries) {
     std::string text = "{";
-    for (const auto& [name, value] : head.items())
-        text += fmt::format("\n \"{}\": {},", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    for (const auto& [name, value] : head.items()) text += fmt::format("\n \"{}\": {},", name, json_line(value));
     text += fmt::format("\n \"{}\": [", list);
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        text += fmt::format("{}\n  {}", i ? "," : "", entries[i].dump(-1, ' ', false, Json::error_handler_t::replace));
+    for (std::size_t i = 0; i < entries.size(); ++i) text += fmt::format("{}\n  {}", i ? "," : "", json_line(entries[i]));
     return text + "\n ]\n}\n";
 }
-
-std::string json_text(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace rt

@@ -1,6 +1,7 @@
 // Results to JSON and back.
 #pragma once
 
+#include "commands/json_text.h"
 #include "commands/json_value.h"
 #include "grading/result.h"
 
@@ -22,7 +23,5 @@ DifferingRegion region_of(const JsonValue& value);
 
 /// A JSON text: the members of `head`, and a list with one entry a line.
 std::string json_listing(const nlohmann::ordered_json& head, const char* list, const std::vector<nlohmann::ordered_json>& entries);
-/// A JSON text; what is not UTF-8 is replaced. `indent` < 0: one line.
-std::string json_text(const nlohmann::ordered_json& json, int indent);
 
 }  // namespace rt
