@@ -100,8 +100,9 @@ def main():
 
 
 def known(out):
-    """Results that are kept, with the moment each was made."""
-    return {path.parent.name: path.stat().st_mtime_ns for path in (out / "known").glob("*/result.json")}
+    """Results that are kept, with the moment each was made. What a killed worker was writing is none; a later run removes it."""
+    entries = (out / "known").glob("*/result.json")
+    return {path.parent.name: path.stat().st_mtime_ns for path in entries if ".unfinished-" not in path.parent.name}
 
 
 def measure(options, place):
