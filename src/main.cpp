@@ -4,9 +4,9 @@
 #include <exception>
 #include <new>
 
+#include "commands/base/interrupt.h"
+#include "commands/base/program.h"
 #include "commands/commands.h"
-#include "commands/interrupt.h"
-#include "commands/text.h"
 #include "core/source.h"
 
 namespace {

@@ -5,15 +5,16 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "commands/command_line.h"
+#include "commands/base/command_line.h"
+#include "commands/base/difference_file.h"
+#include "commands/base/json_text.h"
+#include "commands/base/output_name.h"
+#include "commands/base/program.h"
+#include "commands/base/values.h"
+#include "commands/base/verdict.h"
 #include "commands/commands.h"
-#include "commands/difference_file.h"
 #include "commands/help.h"
-#include "commands/json_text.h"
-#include "commands/output_name.h"
-#include "commands/text.h"
-#include "commands/values.h"
-#include "commands/verdict.h"
+#include "core/source.h"
 #include "grading/difference.h"
 
 namespace rt {

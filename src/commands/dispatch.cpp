@@ -4,11 +4,11 @@
 #include <array>
 #include <filesystem>
 
+#include "commands/base/program.h"
+#include "commands/base/suggest.h"
 #include "commands/commands.h"
-#include "commands/render_arguments.h"
-#include "commands/session.h"
-#include "commands/suggest.h"
-#include "commands/text.h"
+#include "commands/job/render_arguments.h"
+#include "commands/job/session.h"
 #include "core/source.h"
 
 namespace rt {

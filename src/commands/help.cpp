@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "commands/base/program.h"
+#include "commands/base/suggest.h"
 #include "commands/commands.h"
-#include "commands/model_choices.h"
-#include "commands/suggest.h"
-#include "commands/text.h"
+#include "commands/job/model_choices.h"
 #include "core/source.h"
 
 namespace rt {

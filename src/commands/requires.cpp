@@ -4,12 +4,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "commands/base/json_text.h"
+#include "commands/base/program.h"
 #include "commands/commands.h"
-#include "commands/job_steps.h"
-#include "commands/json_text.h"
-#include "commands/render_arguments.h"
-#include "commands/requirements.h"
-#include "commands/text.h"
+#include "commands/job/job_steps.h"
+#include "commands/job/render_arguments.h"
+#include "commands/job/requirements.h"
+#include "core/source.h"
 #include "syntax/parser.h"
 
 namespace rt {

@@ -26,6 +26,18 @@ ROOMS = {
     "pages": set(),
 }
 ALL_ROOMS = set(ROOMS) | {"commands"}
+# The folders of the room commands. What lies beside them may use them all; they may use its headers.
+PARTS = {
+    "base": set(),
+    "job": {"base"},
+    "brdf": {"base", "job"},
+    "pixel": {"base", "job"},
+    "course": {"base", "job", "pixel"},
+    "causes": {"base", "job", "pixel"},
+    "report": {"base"},
+    "grade": {"base", "job", "causes", "report"},
+    "versus": {"base", "job", "report"},
+}
 
 # Where a library may be included, as a pattern of paths under src/.
 LIBRARIES = {
@@ -36,7 +48,7 @@ LIBRARIES = {
     r"nlohmann/": r"commands/.*|grading/report.*",
     r"thread$": r"trace/render\.cpp",
     r"glm/": r"core/.*",
-    r"xxhash": r"commands/content_hash\.cpp",
+    r"xxhash": r"commands/base/content_hash\.cpp",
     r"iostream": r"$never",
 }
 
@@ -118,6 +130,7 @@ class Check:
         inner = path.relative_to(self.src).as_posix()
         room = inner.split("/")[0] if "/" in inner else ""
         allowed = ROOMS.get(room, ALL_ROOMS) | {room}
+        part = inner.split("/")[1] if room == "commands" and inner.count("/") == 2 else ""
         for number, line in enumerate(text.splitlines(), 1):
             quoted = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
             if quoted:
@@ -126,6 +139,8 @@ class Check:
                     self.report(path, number, f'include "{quoted.group(1)}" does not say "room/file.h"')
                 elif other not in allowed:
                     self.report(path, number, f"room {room} may not include room {other}")
+                elif part and quoted.group(1).count("/") == 2 and quoted.group(1).split("/")[1] not in PARTS.get(part, set()) | {part}:
+                    self.report(path, number, f"commands/{part} may not include commands/{quoted.group(1).split('/')[1]}")
             angled = re.match(r"\s*#\s*include\s*<([^>]+)>", line)
             for library, place in LIBRARIES.items():
                 if angled and re.match(library, angled.group(1)) and not re.fullmatch(place, inner):
@@ -135,7 +150,7 @@ class Check:
         code = without_comments_and_strings(text).splitlines()
         inner = path.relative_to(self.src).as_posix()
         for number, line in enumerate(code, 1):
-            if inner not in ("main.cpp", "commands/interrupt.cpp", "grading/child_process.cpp") and LEAVES_PROGRAM.search(line):
+            if inner not in ("main.cpp", "commands/base/interrupt.cpp", "grading/child_process.cpp") and LEAVES_PROGRAM.search(line):
                 self.report(path, number, "only main ends the program (and the signal handler)")
             if not re.fullmatch(STARTS_PROCESSES, inner) and STARTS.search(line):
                 self.report(path, number, "only the sandbox starts processes")

@@ -12,6 +12,7 @@ BREACHES = {
     "room geometry may not include room scene": ("src/geometry/a.h", '#include "scene/scene.h"\n'),
     "room grading may not include room trace": ("src/grading/a.cpp", '#include "trace/render.h"\n'),
     "room core may not include room geometry": ("src/core/a.h", '#include "geometry/sphere.h"\n'),
+    "commands/grade may not include commands/versus": ("src/commands/grade/a.h", '#include "commands/versus/a.h"\n'),
     'does not say "room/file.h"': ("src/core/a.h", '#include "vec.h"\n'),
     "<embree3/rtcore.h> has no place": ("src/world/world.cpp", "#include <embree3/rtcore.h>\n"),
     "<png.h> has no place": ("src/film/image_file.cpp", "#include <png.h>\n"),

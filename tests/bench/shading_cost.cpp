@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "commands/model_choices.h"
+#include "commands/job/model_choices.h"
 #include "shading/kernels.h"
 #include "shading/names.h"
 #include "tests/bench/shading_inputs.h"

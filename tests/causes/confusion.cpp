@@ -8,7 +8,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "commands/wrong_picture.h"
+#include "commands/causes/wrong_picture.h"
 #include "grading/difference.h"
 #include "tests/causes/mistakes.h"
 

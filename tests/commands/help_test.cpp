@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "commands/suggest.h"
+#include "commands/base/suggest.h"
 #include "tests/commands/support.h"
 
 namespace rt {

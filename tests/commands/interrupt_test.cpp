@@ -9,7 +9,7 @@
 #include <fstream>
 #include <thread>
 
-#include "commands/interrupt.h"
+#include "commands/base/interrupt.h"
 #include "film/image_file.h"
 #include "film/temporary_files.h"
 #include "tests/commands/support.h"

@@ -1,12 +1,12 @@
 // What is printed about a scene: sceneinfo, requires, choices in comments, metadata.
 #include <gtest/gtest.h>
 
-#include "commands/course_text.h"
-#include "commands/progress.h"
-#include "commands/requirements.h"
-#include "commands/scene_choices.h"
-#include "commands/stats.h"
-#include "commands/text.h"
+#include "commands/base/progress.h"
+#include "commands/job/requirements.h"
+#include "commands/job/scene_choices.h"
+#include "commands/job/stats.h"
+#include "commands/job/text.h"
+#include "commands/pixel/course_text.h"
 #include "core/source.h"
 
 namespace rt {

@@ -1,10 +1,10 @@
 #include "tests/faults/subject.h"
 
-#include "commands/course_text.h"
-#include "commands/encoding.h"
-#include "commands/job_steps.h"
-#include "commands/ray_tree_json.h"
-#include "commands/told_pixel_file.h"
+#include "commands/job/encoding.h"
+#include "commands/job/job_steps.h"
+#include "commands/pixel/course_text.h"
+#include "commands/pixel/ray_tree_json.h"
+#include "commands/pixel/told_pixel_file.h"
 #include "trace/pixel_rays.h"
 
 namespace rt::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/course_arguments.h"
+#include "commands/job/course_arguments.h"
 #include "grading/told_pixel.h"
 #include "trace/render.h"
 

@@ -13,7 +13,7 @@ DISTANCES = "trace/distances.h"
 CAMERA = "trace/camera.h"
 SURFACES = "world/surfaces.cpp"
 SAMPLING = "trace/sampling.cpp"
-ENCODING = "commands/encoding.cpp"
+ENCODING = "commands/job/encoding.cpp"
 
 U = (CAMERA, "u = [[x / width - 0.5]];")
 V = (CAMERA, "v = [[0.5 - y / height]];")

@@ -1,0 +1,39 @@
+#include "commands/grade/grade_store.h"
+
+#include "commands/report/result_json.h"
+#include "syntax/file_text.h"
+
+namespace rt {
+
+namespace {
+
+constexpr std::size_t most_bytes = 1u << 26;
+
+}  // namespace
+
+std::optional<Result> GradeStore::find(const std::string& key) const {
+    std::optional<std::string> text = read_file_text(entries_.path(key, "result.json"), most_bytes);
+    if (!text) return std::nullopt;
+    Sources sources;
+    sources.add({key, std::move(*text)});
+    try {
+        const nlohmann::json content = parse_json(sources);
+        const JsonValue value(sources, content);
+        Result result = result_of_json(value["result"]);
+        read_times(value["times"], result);
+        return result;
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
+}
+
+void GradeStore::put(const std::string& key, const Result& result, const std::string& picture) const {
+    std::vector<std::pair<std::string, std::string>> files = {
+        {"result.json", json_text({{"result", result_json(result)}, {"times", times_json(result)}}, 1)}};
+    if (!picture.empty()) files.emplace_back("picture", picture);
+    entries_.put(key, files);
+}
+
+std::string GradeStore::picture_path(const std::string& key) const { return entries_.path(key, "picture"); }
+
+}  // namespace rt

@@ -1,0 +1,233 @@
+#include "commands/grade/grade_test.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "commands/base/content_hash.h"
+#include "commands/base/program.h"
+#include "commands/base/run_place.h"
+#include "commands/base/write_bytes.h"
+#include "commands/causes/wrong_answer.h"
+#include "commands/report/result_json.h"
+#include "core/source.h"
+#include "grading/judge.h"
+#include "grading/result_names.h"
+#include "grading/run_folder.h"
+#include "syntax/file_text.h"
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene of a test that is only shown, if its author has one: a file of their own, not a link to somebody else's.
+TakenFile own_scene(const Submission& submission, const TestCase& test) {
+    constexpr std::uint64_t most_bytes = 1u << 26;
+    const bool named = !submission.scenes.empty() && test.arguments.size() > 1;
+    return named ? take_file(submission.scenes, test.arguments[1], most_bytes) : TakenFile{std::nullopt, true, ""};
+}
+
+/// A program's own folder, as the course's graders lay it out: it runs in "build", the scenes are in "resources" beside it and in it.
+class Place {
+public:
+    Place(const Grading& grading, const Submission& submission, const TestCase& test) {
+        const fs::path folder = place_.folder();
+        fs::create_directory(folder / "build");
+        fs::create_directory_symlink(grading.suite.inputs, folder / "resources");
+        fs::create_directory_symlink(grading.suite.inputs, folder / "build" / "resources");
+        if (test.kind != TestCase::Kind::shown) return;
+        const TakenFile scene = own_scene(submission, test);
+        if (!scene.bytes) throw OptionError(scene.problem);
+        write_bytes((folder / "build" / test.arguments[1]).string(), *scene.bytes);
+    }
+
+    std::string folder() const { return place_.folder(); }
+    std::string working_folder() const { return (fs::path(place_.folder()) / "build").string(); }
+
+private:
+    RunPlace place_;
+};
+
+bool is_within(const fs::path& path, const fs::path& folder) { return *path.lexically_relative(folder).begin() != ".."; }
+
+/// Where the right answers are: their folders, but where something that is shown lies in the same one the answers themselves. And the
+/// results, unless the program was built among them: of those it is shown its own alone anyway.
+std::vector<std::string> hidden_places(const Grading& grading, const std::vector<std::string>& shown) {
+    const auto holds_shown = [&](const fs::path& folder) {
+        return std::any_of(shown.begin(), shown.end(), [&](const std::string& path) { return is_within(path, folder); });
+    };
+    std::set<std::string> places;
+    for (const TestCase& test : grading.suite.tests) {
+        if (test.expected.empty()) continue;
+        const fs::path folder = fs::path(test.expected).parent_path();
+        places.insert(holds_shown(folder) ? test.expected : folder.string());
+    }
+    if (!holds_shown(grading.folder)) places.insert(grading.folder);
+    return {places.begin(), places.end()};
+}
+
+ContainedRun contained_run(const Grading& grading, const Submission& submission, const TestCase& test, const Place& place) {
+    ContainedRun run;
+    run.command = {submission.program};
+    run.command.insert(run.command.end(), test.arguments.begin(), test.arguments.end());
+    run.folder = place.folder(), run.working_folder = place.working_folder();
+    run.readable = {submission.program, grading.suite.inputs};
+    if (!submission.visible.empty()) run.readable.push_back(submission.visible);
+    run.readable.insert(run.readable.end(), grading.readable.begin(), grading.readable.end());
+    run.hidden = hidden_places(grading, run.readable);
+    return run;
+}
+
+/// Width and height that a PNG says it has; 0 if it is none.
+std::pair<int, int> png_size(std::string_view bytes) {
+    constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+    constexpr std::size_t at = 16;  // behind the signature and the head of the first chunk
+    if (!bytes.starts_with(signature) || bytes.size() < at + 8) return {0, 0};
+    const auto number = [&](std::size_t from) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[from + i]);
+        return static_cast<int>(std::min(value, 0x7fffffffu));
+    };
+    return {number(at), number(at + 4)};
+}
+
+/// Pixels that are worth decoding for a person to see.
+constexpr double most_pixels = 64e6;
+
+/// The picture a program left, and its bytes as they were. It is decoded from a copy that the program never had near it: its own folder
+/// may hold anything, links to other files for instance. A PNG of another size than `expected`'s is not decoded, whatever memory it asks
+/// for.
+Written take_picture(const Place& place, const TestCase& test, const StoredImage* expected, std::string& bytes) {
+    Written written;
+    const TakenFile taken = take_file(place.working_folder(), test.output, test.limits.file_bytes);
+    if (taken.missing) return written;
+    written.state = Written::State::unreadable;
+    written.reason = taken.problem;
+    if (!taken.bytes) return written;
+    const auto [width, height] = png_size(*taken.bytes);
+    if (static_cast<double>(width) * height > most_pixels) {
+        written.reason = fmt::format("{} is of {} x {} pixels", test.output, width, height);
+        return written;
+    }
+    if (expected && width > 0 && (width != expected->width || height != expected->height)) {
+        written.state = Written::State::picture;
+        written.image.width = width, written.image.height = height;
+        bytes = *taken.bytes;
+        return written;
+    }
+    try {
+        const RunPlace copy;
+        const std::string path = (fs::path(copy.folder()) / fmt::format("taken{}", fs::path(test.output).extension().string())).string();
+        write_bytes(path, *taken.bytes);
+        written.image = read_image(path);
+        written.state = Written::State::picture;
+        bytes = *taken.bytes;
+    } catch (const OptionError& error) {
+        written.reason = fmt::format("{} is no picture", test.output);
+    }
+    return written;
+}
+
+Result judged(const Suite& suite, const TestCase& test, const Ending& ending, const Place& place, const RunAgain& run_again,
+              std::string& picture) {
+    if (test.kind == TestCase::Kind::text) {
+        const std::optional<std::string> expected = read_file_text(test.expected, test.limits.file_bytes);
+        if (!expected) throw OptionError(fmt::format("cannot read '{}'", test.expected));
+        Result result = judge_text(test, ending, *expected);
+        if (result.outcome == Outcome::wrong_answer) explain_text(*expected, ending.output, result);
+        return result;
+    }
+    if (test.kind == TestCase::Kind::shown) return judge_shown(test, ending, take_picture(place, test, nullptr, picture));
+    const StoredImage expected = read_image(test.expected);
+    const Written written = take_picture(place, test, &expected, picture);
+    Result result = judge_picture(test, ending, written, expected);
+    if (result.outcome == Outcome::wrong_answer) explain_picture(suite, test, expected, written.image, run_again, result);
+    return result;
+}
+
+/// The median run of a timed test stands for all of them, unless one fails.
+Result run_once(const Grading& grading, const Submission& submission, const TestCase& test, int slot, std::string& picture) {
+    const Place place(grading, submission, test);
+    const ContainedRun run = contained_run(grading, submission, test, place);
+    const Ending ending = run_contained(run, test.limits, grading.containment, slot);
+    const RunAgain run_again = [&](const std::vector<std::string>& arguments) {
+        ContainedRun again = run;
+        again.command.resize(1);
+        again.command.insert(again.command.end(), arguments.begin(), arguments.end());
+        Limits limits = test.limits;
+        limits.wall_seconds = std::min(limits.wall_seconds, 10.0);
+        const Ending second = run_contained(again, limits, grading.containment, slot);
+        return second.kind == Ending::Kind::exited && second.status == 0 ? second.output : std::string();
+    };
+    return judged(grading.suite, test, ending, place, run_again, picture);
+}
+
+/// Of everything that a test says, its right answer among it.
+std::string rule_hash_of(const TestCase& test) {
+    std::string rule = fmt::format("{}\n{}\n{}\n{}\n", name_of(kind_names, test.kind), fmt::join(test.arguments, "\n"),
+                                   test.expected.empty() ? "" : hash_of_file(test.expected), test.output);
+    rule += fmt::format("{} {} {} {} {}\n", test.limits.wall_seconds, test.limits.memory_bytes, test.limits.output_bytes,
+                        test.limits.file_bytes, test.limits.processes);
+    rule += fmt::format("{} {} {} {}\n", test.fuzz_percent, test.tolerance, test.timed, test.repeats);
+    for (const Threshold& threshold : test.pass) rule += fmt::format("{} {}\n", name_of(metric_names, threshold.metric), threshold.at_most);
+    rule += fmt::format("{}", name_of(metric_names, test.curve.metric));
+    for (const auto& [figure, share] : test.curve.points) rule += fmt::format(" {} {}", figure, share);
+    return hash_of(rule);
+}
+
+}  // namespace
+
+std::string common_hash_of(const Grading& grading) {
+    static const std::string judge = hash_of_file("/proc/self/exe");
+    std::string all = fmt::format("{}\n{}\n{}\n", program_version(), judge, hash_of_folder(grading.suite.inputs));
+    for (const std::string& path : grading.readable) all += fmt::format("{}\n{}\n{}\n", path, hash_of_file(path), hash_of_folder(path));
+    const Containment& c = grading.containment;
+    return hash_of(all + fmt::format("{} {} {} {}", !c.bubblewrap.empty(), !c.memory_group.empty(), !c.pids_group.empty(), c.own_user));
+}
+
+std::map<std::string, std::string> rule_hashes_of(const Suite& suite) {
+    std::map<std::string, std::string> hashes;
+    for (const TestCase& test : suite.tests) hashes[test.name] = rule_hash_of(test);
+    return hashes;
+}
+
+std::string key_of(const Grading& grading, const Submission& submission, const TestCase& test) {
+    std::string all = fmt::format("{}\n{}\n{}\n", submission.hash, grading.common_hash, grading.rule_hashes.at(test.name));
+    if (test.kind == TestCase::Kind::shown) all += hash_of(own_scene(submission, test).bytes.value_or(""));
+    return hash_of(all);
+}
+
+bool has_scene(const Submission& submission, const TestCase& test) { return own_scene(submission, test).bytes.has_value(); }
+
+void run_test(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot, bool alone) {
+    std::vector<std::pair<Result, std::string>> runs;
+    for (int i = 0; i < std::max(test.repeats, 1); ++i) {
+        std::string picture;
+        Result result = run_once(grading, submission, test, slot, picture);
+        runs.emplace_back(std::move(result), std::move(picture));
+        if (runs.back().first.outcome != Outcome::passed) break;
+    }
+    std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
+        const auto key = [](const Result& r) { return std::pair(r.outcome != Outcome::passed, r.wall_seconds); };
+        return key(a.first) < key(b.first);
+    });
+    const bool failed = runs.back().first.outcome != Outcome::passed;
+    auto& [result, picture] = failed ? runs.back() : runs[(runs.size() - 1) / 2];
+    if (!failed) result.spread_seconds = runs.back().first.wall_seconds - runs.front().first.wall_seconds;
+    result.submission = submission.name, result.alone = alone;
+    store.put(key_of(grading, submission, test), result, picture);
+}
+
+Result result_without_program(const Submission& submission, const TestCase& test) {
+    Result result;
+    result.submission = submission.name, result.test = test.name, result.kind = test.kind;
+    result.required = test.required, result.weight = test.weight;
+    result.outcome = Outcome::not_started, result.reason = submission.problem;
+    return result;
+}
+
+}  // namespace rt

@@ -1,0 +1,100 @@
+#include "commands/job/job_steps.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "commands/base/program.h"
+#include "commands/base/values.h"
+#include "commands/job/course_scene.h"
+#include "commands/job/scene_choices.h"
+
+namespace rt {
+
+namespace {
+
+/// The course's profile has rules of its own, unless a shading is asked for.
+void settle_course(RenderJob& job) {
+    const bool course = job.profile == Profile::csc473 && !job.shading && job.model.empty();
+    if (!course && job.course) throw OptionError("the course's options go with its own rules, not with another shading");
+    if (!course) return;
+    if (!job.environment.empty()) throw OptionError("--environment goes with another shading, not with the course's rules");
+    if (job.povray_quality) throw OptionError("a quality (+Q) goes with another shading, not with the course's rules");
+    if (!job.course) job.course.emplace();
+}
+
+void fill_defaults(RenderJob& job) {
+    settle_course(job);
+    if (!job.shading) job.shading = job.course ? ShadingModel::povray : ShadingModel::general;
+    if (!job.distances) job.distances = *job.shading == ShadingModel::povray ? Distances::povray : Distances::scaled;
+    if (!job.precision) job.precision = CompileOptions{}.precision;
+}
+
+CompileOptions compile_options(const RenderJob& job, const Scene& scene) {
+    CompileOptions options;
+    options.profile = job.profile;
+    options.precision = *job.precision;
+    options.index = job.index;
+    options.threads = job.threads;
+    options.general_shading = *job.shading == ShadingModel::general;
+    if (options.general_shading) options.choose = [&](const Finish& finish) { return choice_for(scene, finish.options, job.model); };
+    return options;
+}
+
+}  // namespace
+
+std::vector<std::string> default_library_paths() {
+    std::vector<std::string> paths;
+    if (const char* named = std::getenv("RAYTRACE_LIBRARY_PATH"))
+        for (const std::string& path : split(named, ':'))
+            if (!path.empty()) paths.push_back(path);
+    for (const char* installed : {"/usr/share/povray-3.7", "/usr/local/share/povray-3.7"}) {
+        std::error_code ignored;
+        if (std::filesystem::is_directory(installed, ignored)) paths.push_back(std::string(installed) + "/include");
+    }
+    return paths;
+}
+
+MessageSink message_sink(bool quiet) {
+    if (quiet) return [](std::string_view) {};
+    return [](std::string_view text) { write_stderr(fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n")); };
+}
+
+Scene read_scene(RenderJob& job, const MessageSink& messages) {
+    for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
+    Scene scene = parse_file(job.scene, job.parse, messages);
+    apply_scene_choices(scene, job);
+    fill_defaults(job);
+    if (job.course) check_course_scene(scene, messages);
+    return scene;
+}
+
+World build_world(const RenderJob& job, const Scene& scene, const MessageSink& messages, std::optional<FewRays> few_rays) {
+    CompileOptions options = compile_options(job, scene);
+    options.few_rays = few_rays;
+    return compile(scene, options, messages);
+}
+
+RenderOptions render_options(const RenderJob& job, const Scene& scene) {
+    const Gamma& gamma = scene.settings.gamma;
+    RenderOptions options;
+    options.width = job.width;
+    options.height = job.height;
+    options.region = job.region;
+    options.threads = job.threads;
+    options.sampling = job.sampling;
+    options.alpha = job.output_alpha;
+    options.working_gamma = gamma.power;
+    options.working_srgb = gamma.kind == Gamma::Kind::srgb;
+    options.trace.shading = *job.shading;
+    options.trace.distances = *job.distances;
+    if (*job.shading == ShadingModel::general) options.trace.lamps = choice_for(scene, {}, job.model).lamps;
+    options.trace.max_trace_level = job.max_trace_level;
+    options.trace.course = job.course;
+    options.edges = job.edges;
+    if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);
+    return options;
+}
+
+}  // namespace rt

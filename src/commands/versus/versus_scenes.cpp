@@ -1,0 +1,97 @@
+#include "commands/versus/versus_scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "commands/base/name_pattern.h"
+#include "commands/base/values.h"
+#include "core/source.h"
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_scene(const fs::path& path) { return lower_case(path.extension().string()) == ".pov"; }
+
+/// Whether a folder's content is nobody's scene: hidden, or the output of a comparison.
+bool is_left_out(const fs::path& path, const fs::path& output) { return path.filename().string().starts_with('.') || path == output; }
+
+std::vector<fs::path> scenes_below(const fs::path& folder, const fs::path& output) {
+    std::vector<fs::path> scenes;
+    std::error_code error, none;
+    for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end; entry != end && !error;
+         entry.increment(error)) {
+        if (entry->is_directory(none) && is_left_out(entry->path(), output))
+            entry.disable_recursion_pending();
+        else if (entry->is_regular_file(none) && is_scene(entry->path()))
+            scenes.push_back(entry->path());
+    }
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+void add(const std::string& argument, const fs::path& output, std::vector<VersusScene>& scenes) {
+    std::error_code error;
+    fs::path path = fs::canonical(argument, error);
+    if (error) path = fs::canonical(argument + ".pov", error);
+    if (error) throw OptionError(fmt::format("there is no scene or folder '{}'", argument));
+    if (!fs::is_directory(path)) {
+        scenes.push_back({path.stem().string(), path.string()});
+        return;
+    }
+    const std::vector<fs::path> below = scenes_below(path, output);
+    if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", argument));
+    for (const fs::path& scene : below) {
+        const fs::path inner = scene.lexically_relative(path).replace_extension();
+        scenes.push_back({(path.filename() / inner).string(), scene.string()});
+    }
+}
+
+/// The last `parts` of a path, without its ending; all of it, with the ending, if it has no more.
+std::string last_parts(const fs::path& path, std::ptrdiff_t parts) {
+    const fs::path inner = path.relative_path();
+    const std::ptrdiff_t all = std::distance(inner.begin(), inner.end());
+    fs::path name;
+    for (auto part = std::next(inner.begin(), std::max<std::ptrdiff_t>(0, all - parts)); part != inner.end(); ++part) name /= *part;
+    return (parts > all ? name : name.replace_extension()).string();
+}
+
+/// Names that more than one scene has begin with one more of the folders around it, until each has its own.
+void name_apart(std::vector<VersusScene>& scenes) {
+    for (bool apart = false; !apart;) {
+        std::map<std::string, int> count;
+        for (const VersusScene& scene : scenes) ++count[scene.name];
+        apart = true;
+        for (VersusScene& scene : scenes) {
+            if (count[scene.name] == 1) continue;
+            const fs::path name = scene.name;
+            const std::string longer = last_parts(scene.path, std::distance(name.begin(), name.end()) + 1);
+            apart = apart && longer == scene.name;
+            scene.name = longer;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<VersusScene> scenes_of(const std::vector<std::string>& arguments, const std::string& only, const std::string& output) {
+    std::vector<VersusScene> scenes;
+    for (const std::string& argument : arguments) add(argument, output, scenes);
+    std::set<std::string> seen;
+    std::erase_if(scenes, [&](const VersusScene& scene) { return !seen.insert(scene.path).second; });
+    name_apart(scenes);
+    if (!only.empty()) {
+        const auto wanted = name_pattern("only", only);
+        std::erase_if(scenes, [&](const VersusScene& scene) { return !wanted(scene.name); });
+        if (scenes.empty()) throw OptionError(fmt::format("--only: no scene's name matches '{}'", only));
+    }
+    return scenes;
+}
+
+}  // namespace rt
