@@ -197,7 +197,8 @@ struct Gamma {
 struct GlobalSettings {
     Gamma gamma;
     Rgb ambient_light{1.0};
-    int max_trace_level = 5;  ///< 1..256
+    static constexpr int highest_trace_level = 256;
+    int max_trace_level = 5;  ///< 1..highest_trace_level
     double adc_bailout = 1.0 / 255.0;
     bool operator==(const GlobalSettings&) const = default;
 };

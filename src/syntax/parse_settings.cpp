@@ -11,8 +11,6 @@ namespace rt {
 
 namespace {
 
-constexpr int highest_trace_level = 256;
-
 /// The first stated value wins. Within 1 % of 1 it is 1.
 void parse_assumed_gamma(Reader& reader, const Span& word, Gamma& gamma) {
     const Span place = reader.peek().span;
@@ -33,6 +31,7 @@ void parse_assumed_gamma(Reader& reader, const Span& word, Gamma& gamma) {
 }
 
 void parse_max_trace_level(Reader& reader, GlobalSettings& settings) {
+    constexpr int highest_trace_level = GlobalSettings::highest_trace_level;
     const int level = parse_int(reader);
     if (level > highest_trace_level)
         reader.warn(reader.peek().span,

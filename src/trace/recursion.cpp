@@ -51,7 +51,7 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       lighting_(world, options, rules_),
       layers_at_(world, options.quality.quick_colors),
       environment_(options.environment),
-      max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, 256)),
+      max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, GlobalSettings::highest_trace_level)),
       adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {}
 
 Radiance Recursion::camera_ray(const Ray& ray, RayLog* log) {

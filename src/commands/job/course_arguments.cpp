@@ -61,8 +61,7 @@ bool accept(CourseOptions& options, const std::string& word) {
         options.bounces = whole_number(name, value, 1, most_bounces);
         return true;
     }
-    options.samples.clear();
-    for (const std::string& number : split(value, ',')) options.samples.push_back(whole_number(name, number, 1, most_samples));
+    options.samples = indirect_samples_of(value);
     return true;
 }
 
@@ -192,6 +191,12 @@ std::optional<PixelPageRequest> page_of(const Sorted& sorted, const CourseArgume
 
 }  // namespace
 
+std::vector<int> indirect_samples_of(std::string_view text) {
+    std::vector<int> samples;
+    for (const std::string& number : split(text, ',')) samples.push_back(whole_number("-gi_samples", number, 1, most_samples));
+    return samples;
+}
+
 CourseArguments parse_course_arguments(const CourseUsage& usage, const Words& words) {
     const Sorted sorted = sort_words(usage, words);
     const Words& at = sorted.positions;
@@ -202,7 +207,8 @@ CourseArguments parse_course_arguments(const CourseUsage& usage, const Words& wo
     std::string help;
     CourseArguments arguments{.job = std::move(*parse_render_arguments(ours, help))};
     arguments.json = sorted.json;
-    if (arguments.job.profile == Profile::csc473) arguments.job.max_trace_level = 1 + CourseRules().further_rays;  // with any shading
+    if (arguments.job.profile == Profile::csc473 && !arguments.job.max_trace_level)
+        arguments.job.max_trace_level = 1 + CourseRules().further_rays;  // with any shading
     if (sorted.course.any || sorted.course.indirect || !sorted.course.about_indirect.empty())
         arguments.job.course = rules_of(sorted.course);
     if (usage.pixel) {

@@ -40,6 +40,9 @@ struct CourseArguments {
 /// Rows of pictures are counted from the top, the course's on the command line from the bottom.
 inline int row_from_top(const RenderJob& job, int y) { return job.profile == Profile::csc473 ? job.height - 1 - y : y; }
 
+/// What stands behind -gi_samples=: directions at the camera ray's hit, at theirs, ... Throws OptionError.
+std::vector<int> indirect_samples_of(std::string_view text);
+
 /// `words` in any order: positions, the course's single-dash options, and our long ones. Throws OptionError: a position too many or too
 /// few, no number, a pixel outside the picture, an option that neither has.
 CourseArguments parse_course_arguments(const CourseUsage& usage, const std::vector<std::string>& words);

@@ -21,7 +21,9 @@ void settle_course(RenderJob& job) {
     if (!course) return;
     if (!job.environment.empty()) throw OptionError("--environment goes with another shading, not with the course's rules");
     if (job.povray_quality) throw OptionError("a quality (+Q) goes with another shading, not with the course's rules");
+    if (job.adc_bailout) throw OptionError("--adc-bailout goes with another shading, not with the course's rules");
     if (!job.course) job.course.emplace();
+    give_course_its_depth(job);
 }
 
 void fill_defaults(RenderJob& job) {
@@ -54,6 +56,10 @@ std::vector<std::string> default_library_paths() {
         if (std::filesystem::is_directory(installed, ignored)) paths.push_back(std::string(installed) + "/include");
     }
     return paths;
+}
+
+void give_course_its_depth(RenderJob& job) {
+    if (job.course && job.max_trace_level) job.course->further_rays = *job.max_trace_level - 1;
 }
 
 MessageSink message_sink(bool quiet) {
@@ -91,6 +97,7 @@ RenderOptions render_options(const RenderJob& job, const Scene& scene) {
     options.trace.distances = *job.distances;
     if (*job.shading == ShadingModel::general) options.trace.lamps = choice_for(scene, {}, job.model).lamps;
     options.trace.max_trace_level = job.max_trace_level;
+    options.trace.adc_bailout = job.adc_bailout;
     options.trace.course = job.course;
     options.edges = job.edges;
     if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);

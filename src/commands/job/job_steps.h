@@ -16,6 +16,9 @@ MessageSink message_sink(bool quiet);
 /// Throws SceneError, OptionError and LimitError.
 Scene read_scene(RenderJob& job, const MessageSink& messages);
 
+/// The course's depth from `max_trace_level`, where the job has both.
+void give_course_its_depth(RenderJob& job);
+
 /// Both after read_scene(). `few_rays`, if set, are all that the world will be asked for.
 World build_world(const RenderJob& job, const Scene& scene, const MessageSink& messages, std::optional<FewRays> few_rays = {});
 RenderOptions render_options(const RenderJob& job, const Scene& scene);

@@ -18,6 +18,7 @@ void define_render(CommandLine& line, RenderDraft& d) {
     define_picture(line, d);
     define_sampling(line, d);
     define_shading(line, d.job);
+    define_knobs(line, d.job);
     define_scene(line, d);
     define_run(line, d.job);
 }
@@ -64,6 +65,7 @@ std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std:
     define_picture(line, draft);
     define_sampling(line, draft);
     define_shading(line, draft.job);
+    define_knobs(line, draft.job);
     define_run(line, draft.job);
     line.values("--input", "FILE", "", [&](const std::string& v) { arguments.scenes.push_back(scene_path(v)); });
 

@@ -33,11 +33,14 @@ struct RenderDraft {
 void define_picture(CommandLine& line, RenderDraft& d);
 void define_sampling(CommandLine& line, RenderDraft& d);
 void define_shading(CommandLine& line, RenderJob& job);
+void define_knobs(CommandLine& line, RenderJob& job);
 void define_scene(CommandLine& line, RenderDraft& d);
 void define_run(CommandLine& line, RenderJob& job);
 
 /// After all options are read; each throws OptionError for what does not go together.
 void choose_scene(RenderDraft& d, const std::vector<std::string>& others);
+/// Whether any option said how pixels become samples.
+bool chooses_samples(const RenderDraft& d);
 void choose_sampling(RenderDraft& d);
 void choose_region(RenderDraft& d);
 void refuse_animation(const RenderDraft& d);

@@ -32,7 +32,8 @@ struct RenderJob {
     int threads = 0;  ///< 0: all cores
     Sampling sampling;
     std::optional<int> povray_quality;
-    std::optional<int> max_trace_level;  ///< instead of the scene's
+    std::optional<int> max_trace_level;  ///< instead of the scene's; under the course's rules one more than their further rays
+    std::optional<double> adc_bailout;   ///< likewise; the course's rules have none
 
     // Choices that a scene file may make in `//! raytrace:` comments; what is set here came from the command line and wins.
     std::optional<ShadingModel> shading;

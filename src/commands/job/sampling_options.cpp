@@ -45,6 +45,8 @@ void define_sampling(CommandLine& line, RenderDraft& d) {
     });
 }
 
+bool chooses_samples(const RenderDraft& d) { return d.antialias || d.grid.has_value(); }
+
 void choose_sampling(RenderDraft& d) {
     Sampling& sampling = d.job.sampling;
     const Sampling::Method method = sampling.method == Sampling::Method::none ? Sampling::Method::povray1 : sampling.method;

@@ -54,18 +54,21 @@ EdgeOptions edges_of(const Scene& scene) {
 
 }  // namespace
 
-std::string note_on_choices_without_effect(const RenderJob& job, const Scene& scene, const World& world) {
+bool picture_reads(std::string_view key, const RenderJob& job, const Scene& scene, const World& world) {
+    if (*job.shading == ShadingModel::povray) return false;
     const LampRules lamps = choice_for(scene, {}, job.model).lamps;
+    return std::any_of(world.materials.begin(), world.materials.end(), [&](const Material& material) {
+        return is_read(key, material.layers, lamps, world.lights) || is_read(key, material.interior_layers, lamps, world.lights);
+    });
+}
+
+std::string note_on_choices_without_effect(const RenderJob& job, const Scene& scene, const World& world) {
     const auto has_effect = [&](const Statement& statement) {
         const std::string& key = statement.key;
         // Whoever turns a file's lines off knows that their width goes with them.
         if (is_edge_key(key)) return is_read_by_edges(key, statement.in_file ? edges_of(scene) : job.edges);
         // The shading was chosen between all of them; the other keys are of the whole picture.
-        if (!is_model_key(key) || key == "shading") return true;
-        if (*job.shading == ShadingModel::povray) return false;
-        return std::any_of(world.materials.begin(), world.materials.end(), [&](const Material& material) {
-            return is_read(key, material.layers, lamps, world.lights) || is_read(key, material.interior_layers, lamps, world.lights);
-        });
+        return !is_model_key(key) || key == "shading" || picture_reads(key, job, scene, world);
     };
     std::vector<std::string> idle;
     for (const Statement& statement : statements_of(job, scene))
