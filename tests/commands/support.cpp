@@ -25,6 +25,14 @@ const char* const small_scene =
     "light_source { <10, 10, -10> rgb 1 }\n"
     "sphere { <0, 0, 0>, 1 pigment { rgb <1, 0.5, 0.25> } }\n";
 
+const char* const glass_scene =
+    "camera { location <0, 0.5, 6> up <0, 1, 0> right <1.25, 0, 0> look_at <0, 0, 0> }\n"
+    "light_source { <-4, 9, 7> color rgb <0.9, 0.8, 0.7> }\n"
+    "light_source { <5, 3, 2> color rgb 0.5 }\n"
+    "sphere { <0, 0, 0>, 1 pigment { color rgbf <1, 0.5, 0.25, 0.75> }\n"
+    "  finish { ambient 0.2 diffuse 0.4 specular 0.3 roughness 0.1 reflection 0.25 ior 1.5 } scale <1, 1.5, 1> }\n"
+    "plane { <0, 1, 0>, -2 pigment { color rgb <0.2, 0.7, 0.8> } finish { ambient 0.4 diffuse 0.6 reflection 0.3 } }\n";
+
 Workplace::Workplace() : before_(fs::current_path().string()) {
     std::string pattern = (fs::temp_directory_path() / "raytrace_test_XXXXXX").string();
     if (!mkdtemp(pattern.data())) throw std::runtime_error("no folder for tests");

@@ -40,5 +40,7 @@ Outcome run_and_interrupt_at_file(const std::vector<std::string>& words, const s
 
 /// A small scene that renders at once: a lit sphere.
 extern const char* const small_scene;
+/// An egg of coloured glass over a mirroring floor under two lamps, as the course and as POV-Ray read it.
+extern const char* const glass_scene;
 
 }  // namespace rt::test

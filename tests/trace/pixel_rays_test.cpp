@@ -8,23 +8,6 @@
 namespace rt {
 namespace {
 
-/// A ball of glass before a mirror over a checkered plane.
-World small_world() {
-    using namespace tracer_test;
-    Scene scene;
-    scene.camera.location = Vec3(0.0, 1.5, -5.0);
-    scene.lights = {point_light(Vec3(5.0, 8.0, -5.0)), point_light(Vec3(-3.0, 4.0, -6.0), Rgb(0.3, 0.4, 0.5))};
-    Finish mirror = plain(Rgb(0.1), 0.5);
-    mirror.reflection.min = mirror.reflection.max = Rgb(0.6);
-    Interior glass;
-    glass.ior = 1.5;
-    scene.objects.push_back(object(Sphere{Vec3(-0.8, 1.0, 1.0), 1.0}, texture(color(Rgb(0.8, 0.3, 0.2)), mirror)));
-    scene.objects.push_back(object(Sphere{Vec3(0.5, 1.0, -1.0), 0.9}, texture(color(Rgb(0.9, 1.0, 0.9), 0.8), mirror), glass));
-    scene.objects.push_back(
-        object(Plane{Vec3(0.0, 1.0, 0.0), 0.0}, texture(checker(color(Rgb(0.9)), color(Rgb(0.1, 0.2, 0.1))), plain(Rgb(0.1), 0.7))));
-    return compile(scene, {}, [](std::string_view) {});
-}
-
 std::vector<PixelPlace> every_third(int width, int height) {
     std::vector<PixelPlace> places;
     for (int y = 1; y < height; y += 3)
@@ -34,7 +17,7 @@ std::vector<PixelPlace> every_third(int width, int height) {
 
 class PixelRaysTest : public testing::TestWithParam<int> {
 protected:
-    PixelRaysTest() : world(small_world()) {
+    PixelRaysTest() : world(tracer_test::small_world()) {
         options.width = 32, options.height = 24;
         options.threads = GetParam();
         options.sampling.method = Sampling::Method::grid;

@@ -19,26 +19,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A mirror ball and a glass ball over a checkered plane under two lights.
-World small_world() {
-    using namespace tracer_test;
-    Scene scene;
-    scene.camera.location = Vec3(0.0, 1.5, -5.0);
-    scene.lights = {point_light(Vec3(5.0, 8.0, -5.0)), point_light(Vec3(-3.0, 4.0, -6.0), Rgb(0.3, 0.4, 0.5))};
-    Finish mirror = plain(Rgb(0.1), 0.5);
-    mirror.reflection.min = mirror.reflection.max = Rgb(0.6);
-    Interior glass;
-    glass.ior = 1.5;
-    scene.objects.push_back(object(Sphere{Vec3(-0.8, 1.0, 0.0), 1.0}, texture(color(Rgb(0.8, 0.3, 0.2)), mirror)));
-    scene.objects.push_back(
-        object(Sphere{Vec3(1.1, 0.8, -0.9), 0.8}, texture(color(Rgb(0.9, 1.0, 0.9), 0.8), plain(Rgb(0.0), 0.2)), glass));
-    scene.objects.push_back(
-        object(Plane{Vec3(0.0, 1.0, 0.0), 0.0}, texture(checker(color(Rgb(0.9)), color(Rgb(0.1, 0.2, 0.1))), plain(Rgb(0.1), 0.7))));
-    return compile(scene, {}, [](std::string_view) {});
-}
-
 const World& world() {
-    static const World made = small_world();
+    static const World made = tracer_test::small_world();
     return made;
 }
 

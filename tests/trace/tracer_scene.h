@@ -93,6 +93,22 @@ inline Scene scene_with(std::vector<Object> objects, std::vector<Light> lights =
 
 inline Plane floor_plane(double height = 0.0) { return {Vec3(0, 1, 0), height}; }
 
+/// A ball of glass before a mirror over a checkered plane under two lights.
+inline World small_world() {
+    Scene scene;
+    scene.camera.location = Vec3(0.0, 1.5, -5.0);
+    scene.lights = {point_light(Vec3(5.0, 8.0, -5.0)), point_light(Vec3(-3.0, 4.0, -6.0), Rgb(0.3, 0.4, 0.5))};
+    Finish mirror = plain(Rgb(0.1), 0.5);
+    mirror.reflection.min = mirror.reflection.max = Rgb(0.6);
+    Interior glass;
+    glass.ior = 1.5;
+    scene.objects.push_back(object(Sphere{Vec3(-0.8, 1.0, 1.0), 1.0}, texture(color(Rgb(0.8, 0.3, 0.2)), mirror)));
+    scene.objects.push_back(object(Sphere{Vec3(0.5, 1.0, -1.0), 0.9}, texture(color(Rgb(0.9, 1.0, 0.9), 0.8), mirror), glass));
+    scene.objects.push_back(
+        object(Plane{Vec3(0.0, 1.0, 0.0), 0.0}, texture(checker(color(Rgb(0.9)), color(Rgb(0.1, 0.2, 0.1))), plain(Rgb(0.1), 0.7))));
+    return compile(scene, {}, [](std::string_view) {});
+}
+
 inline testing::AssertionResult is_near(const Rgb& got, const Rgb& want, double tolerance) {
     const Rgb d = got - want;
     if (std::fabs(d.r) <= tolerance && std::fabs(d.g) <= tolerance && std::fabs(d.b) <= tolerance) return testing::AssertionSuccess();

@@ -20,16 +20,8 @@ using test::Outcome;
 using test::run;
 using Words = std::vector<std::string>;
 
-const char* const course_scene =
-    "camera { location <0, 0.5, 6> up <0, 1, 0> right <1.25, 0, 0> look_at <0, 0, 0> }\n"
-    "light_source { <-4, 9, 7> color rgb <0.9, 0.8, 0.7> }\n"
-    "light_source { <5, 3, 2> color rgb 0.5 }\n"
-    "sphere { <0, 0, 0>, 1 pigment { color rgbf <1, 0.5, 0.25, 0.75> }\n"
-    "  finish { ambient 0.2 diffuse 0.4 specular 0.3 roughness 0.1 reflection 0.25 ior 1.5 } scale <1, 1.5, 1> }\n"
-    "plane { <0, 1, 0>, -2 pigment { color rgb <0.2, 0.7, 0.8> } finish { ambient 0.4 diffuse 0.6 reflection 0.3 } }\n";
-
 std::string scene_text(const std::string& name) {
-    if (name.empty()) return course_scene;
+    if (name.empty()) return test::glass_scene;
     std::ostringstream text;
     text << std::ifstream(std::string(PROJECT_ROOT) + "/pov/" + name).rdbuf();
     return text.str();
@@ -157,7 +149,7 @@ class EditedTrees : public testing::TestWithParam<Edit> {};
 
 TEST_P(EditedTrees, AreExplained) {
     test::Workplace here;
-    here.write("a.pov", course_scene);
+    here.write("a.pov", test::glass_scene);
     ASSERT_EQ(run({"pixeltrace", "a.pov", "20", "15", "9", "6", "--json"}, "a.json").status, 0);
     json tree = json::parse(here.read("a.json"));
     GetParam().change(tree);
@@ -236,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(
 class Explain : public testing::Test {
 protected:
     Explain() {
-        here.write("a.pov", course_scene);
+        here.write("a.pov", test::glass_scene);
         EXPECT_EQ(run({"pixeltrace", "a.pov", "20", "15", "9", "6", "--json"}, "a.json").status, 0);
         EXPECT_EQ(run({"printrays", "a.pov", "20", "15", "9", "6"}, "list.txt").status, 0);
         EXPECT_EQ(run({"pixeltrace", "a.pov", "20", "15", "9", "6"}, "tree.txt").status, 0);

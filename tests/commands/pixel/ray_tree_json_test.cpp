@@ -16,15 +16,7 @@ using test::Outcome;
 using test::run;
 using Words = std::vector<std::string>;
 
-const char* const glass_scene =
-    "#version 3.7;\n"
-    "global_settings { assumed_gamma 1 max_trace_level 9 }\n"
-    "camera { location <0, 0.5, 6> up <0, 1, 0> right <1.25, 0, 0> look_at <0, 0, 0> }\n"
-    "light_source { <-4, 9, 7> color rgb <0.9, 0.8, 0.7> }\n"
-    "light_source { <5, 3, 2> color rgb 0.5 }\n"
-    "sphere { <0, 0, 0>, 1 pigment { color rgbf <1, 0.5, 0.25, 0.75> }\n"
-    "  finish { ambient 0.2 diffuse 0.4 specular 0.3 roughness 0.1 reflection 0.25 ior 1.5 } scale <1, 1.5, 1> }\n"
-    "plane { <0, 1, 0>, -2 pigment { color rgb <0.2, 0.7, 0.8> } finish { ambient 0.4 diffuse 0.6 } }\n";
+const std::string deep_scene = std::string("#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 9 }\n") + test::glass_scene;
 
 Vec3 vector(const json& j) { return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()}; }
 
@@ -63,7 +55,7 @@ TEST(RayTreeJson, NamesNumbersThatAreNotFinite) {
 
 class RayTreeProgram : public testing::Test {
 protected:
-    RayTreeProgram() { here.write("a.pov", glass_scene); }
+    RayTreeProgram() { here.write("a.pov", deep_scene); }
     json tree(const Words& options, const char* command = "pixeltrace") {
         Words words{command, "a.pov", "40", "32", "17", "20", "--json"};
         words.insert(words.end(), options.begin(), options.end());
@@ -125,7 +117,7 @@ TEST_F(RayTreeProgram, TheScenesDepthCountsUnderPovraysProfile) {
         for (const json& ray : tree.at("samples").at(0)) level = std::max(level, ray.at("level").get<int>());
         return level;
     };
-    here.write("a.pov", std::string(glass_scene) + "global_settings { max_trace_level 2 }\n");
+    here.write("a.pov", deep_scene + "global_settings { max_trace_level 2 }\n");
     EXPECT_EQ(deepest(tree({"--profile=povray"})), 3);  // the last one is not followed
     EXPECT_GT(deepest(tree({"--shading=povray"})), 3);
 }
