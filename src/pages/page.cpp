@@ -38,15 +38,32 @@ std::string all_pictures(const PageContent& content) {
     return text;
 }
 
+/// The asset with what its fields stand for.
+std::string with_fields_filled(const PageContent& content, std::string_view name);
+
 /// What stands in the page for one {{field}} of the skeleton.
 std::string filled(const PageContent& content, std::string_view field) {
     const std::size_t space = field.find(' ');
     const std::string_view kind = field.substr(0, space), name = space == field.npos ? "" : field.substr(space + 1);
     if (kind == "data") return "<script type=\"application/json\" id=\"data\">" + json_in_html(content.json) + "</script>";
     if (kind == "style" || kind == "script") return element(kind, name);
+    if (kind == "part") return with_fields_filled(content, name);
     if (kind == "pictures") return all_pictures(content);
     if (kind == "picture") return picture(content, name);
     throw std::logic_error(fmt::format("no page field '{}'", field));
+}
+
+std::string with_fields_filled(const PageContent& content, std::string_view name) {
+    std::string page;
+    std::string_view rest = asset(name);
+    for (std::size_t open = rest.find("{{"); open != rest.npos; open = rest.find("{{")) {
+        const std::size_t close = rest.find("}}", open);
+        if (close == rest.npos) throw std::logic_error(fmt::format("'{}' has a field without end", name));
+        page += rest.substr(0, open);
+        page += filled(content, rest.substr(open + 2, close - open - 2));
+        rest.remove_prefix(close + 2);
+    }
+    return page += rest;
 }
 
 }  // namespace
@@ -77,17 +94,6 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::string assemble_page(const PageContent& content) {
-    std::string page;
-    std::string_view rest = asset(content.skeleton);
-    for (std::size_t open = rest.find("{{"); open != rest.npos; open = rest.find("{{")) {
-        const std::size_t close = rest.find("}}", open);
-        if (close == rest.npos) throw std::logic_error(fmt::format("'{}' has a field without end", content.skeleton));
-        page += rest.substr(0, open);
-        page += filled(content, rest.substr(open + 2, close - open - 2));
-        rest.remove_prefix(close + 2);
-    }
-    return page += rest;
-}
+std::string assemble_page(const PageContent& content) { return with_fields_filled(content, content.skeleton); }
 
 }  // namespace rt

@@ -15,7 +15,8 @@ struct PageContent {
 };
 
 /// The page. In its skeleton
-///     {{style NAME}}     becomes the asset in a <style> element,
+///     {{part NAME}}      becomes the asset, whose fields are filled in turn,
+///     {{style NAME}}     the asset in a <style> element,
 ///     {{script NAME}}    the asset in a <script> element; all of them share one global scope, in their order,
 ///     {{data}}           the JSON in <script type="application/json" id="data">,
 ///     {{picture NAME}}   a data: URL,

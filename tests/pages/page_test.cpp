@@ -70,6 +70,16 @@ TEST(Page, HoldsPicturesThatNothingDecodes) {
     EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
 }
 
+TEST(Page, PartsAreFilledInTurn) {
+    for (const auto& [skeleton, styles] : {std::pair("report_page.html", 3u), std::pair("report_index.html", 2u)}) {
+        const std::string page = assemble_page({skeleton, "{}", {}});
+        EXPECT_TRUE(page.starts_with("<!DOCTYPE html>")) << skeleton;
+        EXPECT_EQ(count(page, "<style>"), styles) << skeleton;
+        EXPECT_EQ(count(page, std::string(page_asset("page.css"))), 1u) << skeleton;
+        EXPECT_EQ(count(page, "{{part"), 0u) << skeleton;
+    }
+}
+
 TEST(Page, NamesWhatIsMissing) {
     EXPECT_THROW(assemble_page({"none.html", "{}", {}}), std::logic_error);
     EXPECT_THROW(assemble_page({"pixel_page.html", "{}", {}}), std::logic_error);
