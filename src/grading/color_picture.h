@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "film/image_file.h"
+#include "grading/pixel_sources.h"
 
 namespace rt {
 
@@ -21,8 +22,9 @@ struct ColorPicture {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
     const Color& at(int x, int y) const { return pixels[index(x, y)]; }
+    const Color& at(const std::array<int, 2>& place) const { return at(place[0], place[1]); }
     /// Outside is what its border has.
-    const Color& nearest(int x, int y) const { return at(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1)); }
+    const Color& nearest(int x, int y) const { return at(nearest_place(*this, x, y)); }
 };
 
 /// Grey pictures have their value in all three; alpha is left out.

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "grading/pixel_sources.h"
+
 namespace rt {
 
 namespace {
@@ -42,12 +44,11 @@ StoredImage scaled(const StoredImage& image, double factor) {
 }
 
 StoredImage mirrored(const StoredImage& image) {
-    return rearranged(image, [&](int x, int y) { return std::pair(image.width - 1 - x, y); });
+    return rearranged(image, [&](int x, int y) { return mirrored_place(image, x, y); });
 }
 
 StoredImage shifted(const StoredImage& image, int dx, int dy) {
-    return rearranged(
-        image, [&](int x, int y) { return std::pair(std::clamp(x - dx, 0, image.width - 1), std::clamp(y - dy, 0, image.height - 1)); });
+    return rearranged(image, [&](int x, int y) { return nearest_place(image, x - dx, y - dy); });
 }
 
 std::optional<std::string> one_digit_changed(std::string_view text) {

@@ -18,7 +18,7 @@ struct Transformation {
 };
 
 const Transformation transformations[] = {
-    {"mirrored", "mirrored left to right", [](const ColorPicture& e, int x, int y) { return e.at(e.width - 1 - x, y); }},
+    {"mirrored", "mirrored left to right", [](const ColorPicture& e, int x, int y) { return e.at(mirrored_place(e, x, y)); }},
     {"upside down", "with its rows from bottom to top", [](const ColorPicture& e, int x, int y) { return e.at(x, e.height - 1 - y); }},
     {"turned by 180 degrees", "turned by 180 degrees",
      [](const ColorPicture& e, int x, int y) { return e.at(e.width - 1 - x, e.height - 1 - y); }},
