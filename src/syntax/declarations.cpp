@@ -34,7 +34,7 @@ void Reader::State::declare(bool local) {
     const std::size_t frame = frames.size() - 1;
     Value value = parse_declared_value();
     end_of_declaration(value);
-    NameTable<Value>& table = local && frame > 0 && frame < frames.size() ? frames[frame].locals : globals;
+    ByName<Value>& table = local && frame > 0 && frame < frames.size() ? frames[frame].locals : globals;
     table.insert_or_assign(std::string(name.text), std::move(value));
     if (!deprecation) return;
     Deprecation& kept = deprecated[std::string(name.text)] = *deprecation;
@@ -115,7 +115,7 @@ void Reader::State::undefine(const Span& place) {
     const Token name = take_name();
     if (name.kind != Token::Kind::identifier)
         reader.fail(name.span, fmt::format("Expected 'undeclared identifier', {} found instead", reader.describe(name)));
-    for (NameTable<Value>* table : {&frames.back().locals, &globals}) {
+    for (ByName<Value>* table : {&frames.back().locals, &globals}) {
         const auto found = table->find(name.text);
         if (found == table->end()) continue;
         table->erase(found);

@@ -112,7 +112,7 @@ void Reader::skip_block() {
 
 const Value* Reader::find(std::string_view name) const {
     if (!state_->frames.empty()) {
-        const NameTable<Value>& locals = state_->frames.back().locals;
+        const ByName<Value>& locals = state_->frames.back().locals;
         if (!locals.empty())
             if (const auto found = locals.find(name); found != locals.end()) return &found->second;
     }

@@ -16,8 +16,9 @@ struct NameHash {
     using is_transparent = void;
     std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
 };
+/// What is looked up by its name, without a string of its own for it.
 template <typename T>
-using NameTable = std::unordered_map<std::string, T, NameHash, std::equal_to<>>;
+using ByName = std::unordered_map<std::string, T, NameHash, std::equal_to<>>;
 
 struct Reader::State : Reader::Cursor {
     /// An `#if` that waits for its `#end`.
@@ -31,7 +32,7 @@ struct Reader::State : Reader::Cursor {
     struct Frame {
         Lexer lexer;
         std::size_t conditionals = 0;
-        NameTable<Value> locals;  ///< unused by the main file, whose local names are global ones
+        ByName<Value> locals;  ///< unused by the main file, whose local names are global ones
     };
 
     struct Deprecation {
@@ -108,7 +109,7 @@ struct Reader::State : Reader::Cursor {
     std::set<std::pair<std::uint32_t, std::uint32_t>> near_choices;  ///< those that were told; a file may be read several times
     std::vector<Frame> frames;
     std::vector<Conditional> conditionals;
-    NameTable<std::uint32_t> files;  ///< path to index in the scene's sources
+    ByName<std::uint32_t> files;  ///< path to index in the scene's sources
     std::size_t includes = 0;
 
     bool names_only = false;
@@ -116,8 +117,8 @@ struct Reader::State : Reader::Cursor {
     std::vector<std::string_view> blocks;  ///< names of those that are open
     int depth = 0;
 
-    NameTable<Value> globals;
-    NameTable<Deprecation> deprecated;
+    ByName<Value> globals;
+    ByName<Deprecation> deprecated;
     bool any_macro = false;
     bool any_deprecated = false;
 
