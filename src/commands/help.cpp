@@ -52,7 +52,7 @@ const char* const versus_usage =
 const char* const versus_footer =
     R"(POV-Ray's switches (+W320 +A0.3 +Ldir +WT2) work, too: raytrace help versus.
 Exit status: 0 all agree, 1 some do not, 2 interrupted, 3 not written,
-4 nothing compared: POV-Ray is missing, or a mistake in an option.)";
+4 nothing compared: POV-Ray is missing, a mistake in an option or every scene.)";
 const char* const brdf_usage =
     "Usage: raytrace brdf eval TABLE < in.csv > out.csv\n       raytrace brdf check [TABLE] FILE...\n       raytrace brdf normalization | "
     "albedo "
@@ -259,7 +259,8 @@ constexpr const char* exit_topic =
 
 'raytrace compare' has idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,
 4 a picture cannot be read. 'raytrace explain' has 0 same, 1 different, 4.
-'raytrace merge' has 2 if tests were not run.
+'raytrace merge' has 2 if tests were not run. 'raytrace versus': 0 all agree,
+1 some do not, 2 interrupted, 3, 4 nothing was compared.
 )";
 
 constexpr const char* versus_topic =
@@ -270,19 +271,19 @@ then as it is (general). Size, anti-aliasing, threads, -L, --define and clock
 go to all, in commands that the reports hold, to be copied. 8-bit pictures are
 compared as they are shown: a scene agrees if 98 % of the pixels lie within 2
 of 255 in every channel and the RMSE is below 0.01 (--percent, --step, --rmse).
-What both refuse agrees as well.
+Where both refuse a scene for a mistake in the same line, they agree as well.
 
 The table is worst first, by cause: what differs, and where; what failed; what
-we alone refuse; what is not modelled, and which features would gain most
-scenes; what POV-Ray alone refuses. Ctrl-C reports what is done.
+is refused by us alone, or by both for other lines; what is not modelled, and
+which features would gain most scenes; what POV-Ray alone refuses. Ctrl-C
+reports what is done.
 
 The output folder: results.json (the same bytes for the same pictures),
 times.json, results.csv, report.html (a page of all that), pictures/SCENE/ with
 povray.png, same.png, general.png and differences times 8. POV-Ray's are kept
-in known/: it does not run again until the scene, its includes, a file in its
-folder that is no scene, the settings or POV-Ray's version change, or with
---fresh. All run in the scene's folder, see the folder around each argument and
-those of -L, and write nowhere else.
+in known/: it does not run again until the scene, a file that it or its
+includes name, the settings or POV-Ray itself change, or with --fresh. All run
+in the scene's folder, read what you may read, write nowhere, have no network.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {

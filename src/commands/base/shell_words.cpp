@@ -14,15 +14,15 @@ bool is_plain(unsigned char c) {
     return letter_or_digit || std::string_view("_-+=:,./%@").find(static_cast<char>(c)) != std::string_view::npos;
 }
 
-/// A JSON writer that drops what is no UTF-8 drops nothing.
-bool is_utf8(std::string_view word) {
-    const nlohmann::json text = std::string(word);
-    return nlohmann::json::parse(text.dump(-1, ' ', false, nlohmann::json::error_handler_t::ignore)) == text;
-}
-
 bool is_control(unsigned char c) { return c < 0x20 || c == 0x7f; }
 
 }  // namespace
+
+bool is_utf8(std::string_view text) {
+    // A JSON writer that drops what is none drops nothing.
+    const nlohmann::json json = std::string(text);
+    return nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::ignore)) == json;
+}
 
 std::string shell_word(std::string_view word) {
     if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
@@ -41,6 +41,13 @@ std::string shell_word(std::string_view word) {
         }
     }
     return "$'" + text + "'";
+}
+
+std::string shell_words(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += shell_word(word) + ' ';
+    if (!words.empty()) text.pop_back();
+    return text;
 }
 
 }  // namespace rt

@@ -13,6 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// POV-Ray 3.7 writes beyond its memory for a scene whose path has 206 bytes; 201 are well.
+constexpr std::size_t longest = 150;
+
 bool is_plain(char c) {
     const bool letter_or_digit = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     return letter_or_digit || std::string_view("/._-").find(c) != std::string_view::npos;
@@ -22,12 +25,13 @@ bool is_plain(char c) {
 
 bool povray_can_say(const std::string& path) {
     const bool printable = std::all_of(path.begin(), path.end(), [](char c) { return c >= ' ' && c <= '~'; });
-    return printable && (path.find('"') == path.npos || path.find('\'') == path.npos);
+    return printable && path.size() <= longest && (path.find('"') == path.npos || path.find('\'') == path.npos);
 }
 
 std::string PovrayNames::word(const std::string& path, const std::string& plain) {
-    if (std::all_of(path.begin(), path.end(), is_plain)) return path;
-    if (povray_can_say(path)) return path.find('"') == path.npos ? fmt::format("\"{}\"", path) : fmt::format("'{}'", path);
+    const bool sayable = povray_can_say(path);
+    if (sayable && std::all_of(path.begin(), path.end(), is_plain)) return path;
+    if (sayable) return path.find('"') == path.npos ? fmt::format("\"{}\"", path) : fmt::format("'{}'", path);
     const std::string link = (fs::path(folder_) / plain).string();
     links_.emplace_back(link, path);
     return word(link, plain);

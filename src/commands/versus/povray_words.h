@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// Whether a word can hold it at all: printable ASCII without one of the two kinds of quotes.
+/// Whether a word can hold it at all: printable ASCII without one of the two kinds of quotes, no longer than POV-Ray's room for it.
 bool povray_can_say(const std::string& path);
 
 /// Paths as POV-Ray reads them: plain ones as they are, others in quotes, and those that it cannot read by a link that it can.

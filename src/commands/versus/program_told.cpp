@@ -1,5 +1,7 @@
 #include "commands/versus/program_told.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 #include "commands/base/values.h"
@@ -48,6 +50,19 @@ void read_povray_statistics(std::string_view output, VersusRun& run) {
     run.shadow_tests = count_behind(output, "\nShadow Ray Tests:");
 }
 
+std::string povray_lines(std::string_view output) {
+    constexpr std::size_t width = 80;
+    std::string text;
+    std::size_t length = 0;  // of the line before
+    for (const std::string& line : split(output, '\n')) {
+        // As long may be a line that was not cut; what comes behind an error's is known.
+        const bool goes_on = length == width && !line.starts_with("Fatal error") && !line.starts_with("Render failed");
+        if (length > 0 && !goes_on) text += '\n';
+        text += line, length = line.size();
+    }
+    return text;
+}
+
 std::string povray_message(std::string_view output) {
     const std::vector<std::string> lines = split(output, '\n');
     std::string last, last_error;
@@ -76,9 +91,14 @@ std::string our_message(std::string_view output) {
     return cut(last_error.empty() ? last : last_error);
 }
 
-bool is_parse_refusal(std::string_view message) {
-    const std::size_t line = message.find(" line ");
-    return line != message.npos && message.find("Parse Error: ", line) != message.npos;
+std::string refused_place(std::string_view message) {
+    constexpr std::string_view opening = "File '", number = "' line ", closing = ": Parse Error: ";
+    // A file's name may hold any of them; a message behind it, too.
+    const std::size_t end = message.find(closing), line = message.substr(0, end).rfind(number);
+    if (!message.starts_with(opening) || end == message.npos || line == message.npos) return {};
+    std::string_view file = message.substr(opening.size(), line - opening.size());
+    file.remove_prefix(file.rfind('/') + 1);
+    return fmt::format("{}{}", printable(file, longest_message), message.substr(line + 1, end - line - 1));
 }
 
 std::string povray_version(std::string_view output) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -18,7 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_text = 1u << 26, most_files = 10'000, longest_name = 1024;
+// Beyond these, what a scene reads is not found out: looking for it is no render that may take its time.
+constexpr std::size_t most_text = 1u << 26, most_files = 10'000, most_names = 2'000, longest_name = 1024;
+constexpr std::uintmax_t most_bytes = 1u << 30;  ///< of all files together
+
+/// Files that tell of the machine: they may never end, and say something else each time.
+bool is_of_the_system(const fs::path& path) {
+    const std::string name = path.string();
+    return name.starts_with("/proc/") || name.starts_with("/sys/");
+}
 
 /// What a name may lack, as POV-Ray tries it.
 constexpr std::array endings = {"",     ".inc",  ".INC",  ".pov", ".POV", ".png",  ".PNG",  ".gif", ".GIF", ".tga", ".TGA", ".jpg",
@@ -45,8 +54,7 @@ public:
 
     SceneFiles run(const std::string& scene, const std::vector<std::string>& words) {
         scene_folder_ = fs::path(scene).parent_path();
-        lines_ = hash_of_file(scene) + "\n";
-        open_.push_back(scene);
+        add("", scene);
         for (const std::string& word : words) look_for(word, scene_folder_);
         while (!open_.empty() && files_.complete) {
             const fs::path file = open_.back();
@@ -69,8 +77,8 @@ private:
         std::optional<std::string> text;
         try {
             text = read_file_text(file.string(), most_text);
-        } catch (const LimitError&) {  // no text that anybody wrote; its content counts all the same
-            return;
+        } catch (const LimitError&) {
+            files_.complete = false;
         }
         if (!text) return;
         if (!is_installed(file) && computes(*text)) files_.complete = false;
@@ -86,6 +94,8 @@ private:
 
     void look_for(const std::string& name, const fs::path& folder) {
         if (name.find('\0') != name.npos || !asked_.emplace(name, folder.string()).second) return;
+        if (asked_.size() > most_names) files_.complete = false;
+        if (!files_.complete) return;
         std::vector<fs::path> places = {folder, scene_folder_};
         places.insert(places.end(), folders_.begin(), folders_.end());
         for (const fs::path& place : places)
@@ -96,11 +106,15 @@ private:
         std::error_code none;
         if (!fs::is_regular_file(file, none)) return;
         const fs::path path = fs::canonical(file, none);
-        if (known_.size() == most_files) files_.complete = false;
-        if (!files_.complete) return;
-        const bool is_new = known_.insert(path).second;
-        lines_ += fmt::format("{}\n{}\n", name, hash_of_file(path.string()));
-        if (is_new) open_.push_back(path);
+        const auto [entry, is_new] = known_.try_emplace(path);
+        if (is_new) {
+            bytes_ += std::min(fs::file_size(path, none), most_bytes + 1);
+            if (known_.size() > most_files || bytes_ > most_bytes || is_of_the_system(path)) files_.complete = false;
+            if (!files_.complete) return;
+            entry->second = hash_of_file(path.string());
+            open_.push_back(path);
+        }
+        lines_ += fmt::format("{}\n{}\n", name, entry->second);
     }
 
     const std::vector<std::string>& folders_;
@@ -109,7 +123,8 @@ private:
     SceneFiles files_;
     std::string lines_;
     std::vector<fs::path> open_;
-    std::set<fs::path> known_;
+    std::map<fs::path, std::string> known_;  ///< and its fingerprint
+    std::uintmax_t bytes_ = 0;               ///< of those
     std::set<std::pair<std::string, std::string>> asked_;
 };
 

@@ -9,7 +9,7 @@ namespace rt {
 /// Files that a scene and what it includes name between quotes, wherever a renderer would look for them.
 struct SceneFiles {
     std::string fingerprint;  ///< of their names and contents, the scene's own content included
-    bool complete = true;     ///< false: names may be put together from parts, or the time be asked for, so that there may be more
+    bool complete = true;     ///< false: there may be more; names may be put together from parts, the time be asked for, or it is too much
 };
 
 /// `folders`: searched besides that of the scene and those of what names a file. `installed`: folders whose files may put strings

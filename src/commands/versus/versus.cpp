@@ -32,6 +32,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int exit_differs = 1, exit_nothing_compared = 4;
+constexpr std::size_t longest_path = 4096;
+constexpr long most_pixels = 1l << 25;  ///< 7680 x 4320 is less; comparing takes some 100 bytes for each
 
 struct VersusJob {
     VersusSettings settings;
@@ -69,8 +71,10 @@ void define(CommandLine& line, VersusJob& job) {
                [&](const std::string& v) { limits.percent = real_number("percent", v, 0.0, 100.0); });
     line.value("--step", "N", "within N of 255 in every channel (2)",
                [&](const std::string& v) { limits.step = whole_number("step", v, 0, 255); });
-    line.value("--rmse", "X", "and the RMSE be below X (0.01)",
-               [&](const std::string& v) { limits.rmse = real_number("rmse", v, 0.0, 1.0); });
+    line.value("--rmse", "X", "and the RMSE be below X (0.01)", [&](const std::string& v) {
+        limits.rmse = real_number("rmse", v, 0.0, 1.0);
+        if (limits.rmse == 0.0) throw OptionError("rmse: 0 is too little: no RMSE is below it");
+    });
     line.value("--judge", "NAME", "same (POV-Ray's shading) or general", [&](const std::string& v) {
         constexpr NameTable<Maker, 2> ours{{{"same", Maker::same}, {"general", Maker::general}}};
         limits.judged = value_of_name(ours, "shading to judge", v);
@@ -86,13 +90,18 @@ void define(CommandLine& line, VersusJob& job) {
     line.flag("-q,--quiet", "no notes, no progress, no table", [&] { job.quiet = true; });
 }
 
-/// Gives the size that was not asked for its default.
-void settle_size(Words& words) {
+/// Gives the size that was not asked for its default. Throws OptionError for what is too large to be compared.
+void settle_size(VersusSettings& settings) {
+    Words& words = settings.words;
     const auto is_asked = [&](std::string_view option) {
         return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return word.starts_with(option); });
     };
     for (const auto& [option, word] : {std::pair("--height=", "--height=480"), std::pair("--width=", "--width=640")})
         if (!is_asked(option) && !is_asked("--size=")) words.insert(words.begin(), word);
+    settings.job = job_of_words(words);
+    const long width = settings.job.width, height = settings.job.height;
+    if (width * height > most_pixels)
+        throw OptionError(fmt::format("{} x {} pixels are too many to compare; at most {} are", width, height, most_pixels));
 }
 
 /// Words in any of the ways to write a render. Returns the help's text, or nothing.
@@ -109,8 +118,7 @@ std::string read_words(const Words& words, VersusJob& job) {
     if (line.help_asked()) return line.help();
     job.scenes.insert(job.scenes.end(), scenes.begin(), scenes.end());
     if (job.scenes.empty()) throw OptionError("versus: expected scenes or folders; see raytrace versus --help");
-    settle_size(job.settings.words);
-    job.settings.job = job_of_words(job.settings.words);
+    settle_size(job.settings);
     std::vector<std::string>& notes = job.settings.job.notes;
     notes.insert(notes.end(), translation.notes.begin(), translation.notes.end());
     if (!translation.ignored.empty())
@@ -118,8 +126,8 @@ std::string read_words(const Words& words, VersusJob& job) {
     return {};
 }
 
-/// The folders of includes are the same for both, and an .ini file that says nothing keeps others from POV-Ray.
-void settle_folders(VersusSettings& settings) {
+/// The folders of includes are the same for both.
+void settle_includes(VersusSettings& settings) {
     std::vector<std::string>& paths = settings.job.parse.library_paths;
     std::error_code none;
     for (const std::string& path : paths)
@@ -133,27 +141,10 @@ void settle_folders(VersusSettings& settings) {
         const std::string path = fs::absolute(other).lexically_normal().string();
         if (fs::is_directory(path, none)) paths.push_back(path), settings.words.push_back("--library=" + path);
     }
-    povray_picture_words(settings.job);  // whatever POV-Ray's command line cannot say is told before anything runs
-    write_bytes(no_settings_file(settings), "; Nothing: the command line says all.\n");
 }
 
-/// Finds POV-Ray and asks for its version.
-void settle(VersusJob& job) {
-    VersusSettings& settings = job.settings;
-    settings.povray = find_povray(job.povray);
-    settings.program = fs::canonical("/proc/self/exe").string();
-    settings.containment = find_containment();
-    // Neither program is a stranger: they read what the user may read.
-    settings.containment.own_user = false;
-    settings.limits.processes = 4096;
-    const int processors = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
-    settings.threads = job.threads > 0 ? job.threads : std::max(1, processors / job.parallel);
-    settings.alone = job.parallel == 1;
-    std::error_code error;
-    fs::create_directories(job.folder, error);
-    if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", job.folder, error.message()));
-    settings.folder = fs::canonical(job.folder).string();
-    settle_folders(settings);
+/// Asks POV-Ray for its version.
+void settle_povray(VersusSettings& settings) {
     const RunPlace place;
     if (!povray_can_say(place.folder())) throw OptionError(fmt::format("TMPDIR: POV-Ray's command line cannot name '{}'", place.folder()));
     const Ending ending = run_program_for(settings, {settings.povray, "--version"}, {place.folder(), place.folder()}, 0);
@@ -161,6 +152,36 @@ void settle(VersusJob& job) {
     if (settings.version.empty())
         throw OptionError(fmt::format("'{}' is not POV-Ray: --version prints no version of it{}{}", settings.povray,
                                       ending.reason.empty() ? "" : "; ", ending.reason));
+}
+
+/// Whatever is wrong is told before anything is written or rendered.
+std::vector<VersusScene> settle(VersusJob& job) {
+    VersusSettings& settings = job.settings;
+    settings.povray = find_povray(job.povray);
+    settings.program = fs::canonical("/proc/self/exe").string();
+    std::error_code error;
+    settings.folder = fs::weakly_canonical(job.folder, error).string();
+    std::vector<VersusScene> scenes = scenes_of(job.scenes, job.only, settings.folder);
+    settle_includes(settings);
+    povray_picture_words(settings.job);  // what POV-Ray's command line cannot say
+    settings.containment = find_containment();
+    // Neither program is a stranger: they read what the user may read.
+    settings.containment.own_user = false;
+    settings.limits.processes = 4096, settings.limits.output_bytes = 1u << 26;
+    const int processors = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
+    settings.threads = job.threads > 0 ? job.threads : std::max(1, processors / job.parallel);
+    settings.alone = job.parallel == 1;
+    settle_povray(settings);
+    return scenes;
+}
+
+/// An .ini file that says nothing keeps others from POV-Ray.
+void make_output_folder(VersusJob& job) {
+    std::error_code error;
+    fs::create_directories(job.folder, error);
+    if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", job.folder, error.message()));
+    job.settings.folder = fs::canonical(job.folder).string();
+    write_bytes(no_settings_file(job.settings), "; Nothing: the command line says all.\n");
 }
 
 class Comparison {
@@ -203,6 +224,7 @@ private:
         const std::optional<VersusResult> result = end.done ? result_of_scene(job_.settings, scenes_[i]) : std::nullopt;
         const std::string problem = end.signal ? fmt::format("comparing was ended by signal {}", end.signal) : end.problem;
         results_[i] = result ? *result : result_without_run(scenes_[i], VersusRun::State::failed, problem);
+        results_[i].path = scenes_[i].path;  // which JSON holds only if it is UTF-8
     }
     void tell() {
         progress_.seconds = since(start_);
@@ -223,10 +245,11 @@ private:
 };
 
 int exit_status(const std::vector<VersusResult>& results) {
-    int status = 0;
+    int status = exit_nothing_compared;  // both refuse whatever there is
     for (const VersusResult& result : results) {
         if (result.cause == VersusCause::not_run) return exit_interrupted;
         if (!counts_as_agreeing(result.cause)) status = exit_differs;
+        if (result.cause == VersusCause::agrees && status != exit_differs) status = 0;
     }
     return status;
 }
@@ -234,19 +257,21 @@ int exit_status(const std::vector<VersusResult>& results) {
 int run(VersusJob job) {
     const MessageSink messages = message_sink(job.quiet);
     for (const std::string& note : job.settings.job.notes) messages("raytrace: note: " + note);
-    settle(job);
-    const std::vector<VersusScene> scenes = scenes_of(job.scenes, job.only, job.settings.folder);
+    const std::vector<VersusScene> scenes = settle(job);
+    make_output_folder(job);
     remove_left_places();
     VersusRecord record{job.settings.version, job.settings.words, job.settings.agreement, {}};
     {
         const StopOnSignal signals;
         record.results = Comparison(job, scenes, signals.stop()).run();
     }
-    remove_left_places();  // of workers that an interruption ended
+    remove_left_places();                                     // of workers that an interruption ended
+    if (!job.quiet) write_stdout(versus_table_text(record));  // even if the reports cannot be written
     write_versus_reports(record, job.settings.folder);
-    if (!job.quiet) write_stdout(versus_table_text(record));
-    messages(fmt::format("raytrace: reports are in {}", job.settings.folder));
-    return exit_status(record.results);
+    messages(fmt::format("raytrace: reports are in {}", printable(job.settings.folder, longest_path)));
+    const int status = exit_status(record.results);
+    if (status == exit_nothing_compared) messages("raytrace: nothing was compared: both programs refuse every scene");
+    return status;
 }
 
 }  // namespace

@@ -41,8 +41,10 @@ VersusCause cause_of(const VersusResult& result, const VersusLimits& limits) {
     for (const VersusRun& run : result.runs)
         if (run.state == State::failed) return VersusCause::failed;
     if (theirs == State::refused && ours == State::refused && result.missing.empty()) {
-        const bool in_scene = is_parse_refusal(result.run(Maker::povray).message) && is_parse_refusal(result.run(limits.judged).message);
-        return in_scene ? VersusCause::both_refuse : VersusCause::failed;
+        const std::string their_place = refused_place(result.run(Maker::povray).message);
+        const std::string our_place = refused_place(result.run(limits.judged).message);
+        if (their_place.empty() || our_place.empty()) return VersusCause::failed;
+        return their_place == our_place ? VersusCause::both_refuse : VersusCause::refused_elsewhere;
     }
     if (theirs == State::refused) return VersusCause::povray_refuses;
     if (ours == State::refused) return result.missing.empty() ? VersusCause::refused : VersusCause::not_modelled;

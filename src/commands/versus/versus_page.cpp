@@ -104,15 +104,12 @@ Json phases_of(const VersusResult& result) {
 
 /// It writes the picture that this page shows.
 std::string command_text(const std::string& scene, const std::vector<std::string>& words) {
-    std::string text = fmt::format("cd {} &&", shell_word(fs::path(scene).parent_path().string()));
-    for (const std::string& word : words) text += fmt::format(" {}", shell_word(word));
-    return text;
+    return fmt::format("cd {} && {}", shell_word(fs::path(scene).parent_path().string()), shell_words(words));
 }
 
 std::string missing_names(const VersusResult& result) {
     std::vector<std::string> names;
-    for (const MissingFeature& m : result.missing)
-        if (std::find(names.begin(), names.end(), m.name) == names.end()) names.push_back(m.name);
+    for (const MissingFeature& m : result.missing) names.push_back(m.name);
     return fmt::format("{}", fmt::join(names, ", "));
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
 
 #include "commands/base/csv_field.h"
 #include "commands/base/write_bytes.h"
@@ -47,12 +46,10 @@ std::vector<MissingCount> missing_counts(const std::vector<VersusResult>& result
     std::map<std::string, MissingCount> counts;
     for (const VersusResult& result : results) {
         if (result.cause != VersusCause::not_modelled) continue;
-        std::set<std::string> names;
-        for (const MissingFeature& missing : result.missing) names.insert(missing.name);
-        for (const std::string& name : names) {
+        for (const auto& [name, file, line, column] : result.missing) {
             MissingCount& count = counts.try_emplace(name, MissingCount{name}).first->second;
             ++count.scenes;
-            if (names.size() == 1) ++count.only_this;
+            if (result.missing.size() == 1) ++count.only_this;
         }
     }
     std::vector<MissingCount> list;
@@ -127,8 +124,8 @@ std::string versus_csv_text(const VersusRecord& record) {
         text += fmt::format("{},{}", csv_field(result.name), name_of(cause_names, result.cause));
         text += figures_cells(result.like(Maker::same)) + figures_cells(result.like(Maker::general));
         for (const VersusRun& run : result.runs) text += time_cells(run);
-        std::set<std::string> names;
-        for (const MissingFeature& missing : result.missing) names.insert(missing.name);
+        std::vector<std::string> names;
+        for (const MissingFeature& missing : result.missing) names.push_back(missing.name);
         text += fmt::format(",{},{}\n", csv_field(fmt::format("{}", fmt::join(names, " "))), csv_field(first_message(result)));
     }
     return text;

@@ -64,11 +64,22 @@ struct Likeness {
 };
 
 /// Worst first.
-enum class VersusCause : std::uint8_t { differs, failed, refused, not_modelled, povray_refuses, not_run, both_refuse, agrees };
-inline constexpr std::size_t versus_causes = 8;
+enum class VersusCause : std::uint8_t {
+    differs,
+    failed,
+    refused,
+    refused_elsewhere,
+    not_modelled,
+    povray_refuses,
+    not_run,
+    both_refuse,
+    agrees
+};
+inline constexpr std::size_t versus_causes = 9;
 inline constexpr NameTable<VersusCause, versus_causes> cause_names{{{"differs", VersusCause::differs},
                                                                     {"failed", VersusCause::failed},
                                                                     {"refused by us alone", VersusCause::refused},
+                                                                    {"refused at different places", VersusCause::refused_elsewhere},
                                                                     {"not modelled", VersusCause::not_modelled},
                                                                     {"refused by POV-Ray alone", VersusCause::povray_refuses},
                                                                     {"not run", VersusCause::not_run},
@@ -80,7 +91,7 @@ struct VersusResult {
     std::string path;
     VersusCause cause = VersusCause::not_run;
     std::array<VersusRun, makers> runs;
-    std::vector<MissingFeature> missing;                   ///< what the scene asks for and we do not model
+    std::vector<MissingFeature> missing;                   ///< what the scene asks for and we do not model, each where it is first
     std::array<std::optional<Likeness>, makers> likeness;  ///< to POV-Ray's picture; its own has none
 
     const VersusRun& run(Maker maker) const { return runs[static_cast<std::size_t>(maker)]; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 
 #include "commands/base/content_hash.h"
 #include "commands/base/difference_file.h"
@@ -24,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 1u << 26;
+constexpr std::size_t most_bytes = 1u << 26;  ///< of what a run of ours writes as JSON
 constexpr double difference_scale = 8.0;
 constexpr const char* result_name = "result.json";
 
@@ -32,8 +33,8 @@ std::string difference_name(Maker maker) { return "difference_" + picture_name(m
 
 /// What reading a scene tells before any ray.
 struct Reading {
-    std::vector<MissingFeature> missing;
-    bool draws_edges = false;  ///< lines that POV-Ray has not
+    std::vector<MissingFeature> missing;  ///< each once, where it is first
+    bool draws_edges = false;             ///< lines that POV-Ray has not
 };
 
 /// What a run of ours has written as JSON; empty if it is not there or not whole.
@@ -90,8 +91,10 @@ private:
         const JsonValue needs = JsonValue(sources, content).item(0), missing = needs["not_modelled"], features = needs["features"];
         for (std::size_t i = 0; i < features.size(); ++i)
             reading.draws_edges = reading.draws_edges || features.item(i).word() == "edge lines";
+        std::set<std::string> names;
         for (std::size_t i = 0; i < missing.size(); ++i) {
             const JsonValue m = missing.item(i);
+            if (!names.insert(m["name"].word()).second) continue;
             reading.missing.push_back({m["name"].word(), m["file"].word(), m["line"].count(), m["column"].count()});
         }
         return reading;
@@ -113,14 +116,12 @@ private:
         std::optional<VersusRun> known = read_written<VersusRun>(
             known_.path(key, "run.json"), [](const JsonValue& value) { return run_of_json(value["run"], value["times"]); });
         if (!known) return false;
-        VersusRun& run = *known;
-        // Where it lies now, which may be another place.
-        run.command = command_for(Maker::povray, place_of(picture_name(Maker::povray)));
-        const std::optional<std::string> picture = read_file_text(known_.path(key, "picture.png"), most_bytes);
+        const std::optional<std::string> picture = read_file_text(known_.path(key, "picture.png"), settings_.limits.file_bytes);
         if (!picture) return false;
         write_bytes(place_of(picture_name(Maker::povray)), *picture);
         if (!picture_problem(Maker::povray).empty()) return false;
-        result_.run(Maker::povray) = std::move(run);
+        result_.run(Maker::povray) = std::move(*known);
+        note_command(Maker::povray);  // for where its picture lies now
         return true;
     }
 
@@ -130,6 +131,8 @@ private:
         if (maker == Maker::same && draws_edges_) command.emplace_back("--edges=off");
         return command;
     }
+
+    void note_command(Maker maker) { result_.run(maker).command = command_as_text(command_for(maker, place_of(picture_name(maker)))); }
 
     /// What is wrong with a picture that was written, or nothing.
     std::string picture_problem(Maker maker) const {
@@ -143,8 +146,8 @@ private:
         }
     }
 
-    /// Runs one of the programs and keeps its picture.
-    Ending run_maker(Maker maker) {
+    /// Runs one of the programs and keeps its picture. Messages have to be freed from the links in the names.
+    std::pair<Ending, PovrayNames> run_maker(Maker maker) {
         VersusRun& run = result_.run(maker);
         const RunPlace place;
         const std::string to = (fs::path(place.folder()) / picture_name(maker)).string();
@@ -152,13 +155,13 @@ private:
         const std::vector<std::string> command =
             maker == Maker::povray ? povray_command(settings_, scene_.path, to, names) : command_for(maker, to);
         names.make_links();
-        Ending ending = run_in(place.folder(), command);
-        ending.output = names.without_links(std::move(ending.output));
-        run.command = command_for(maker, place_of(picture_name(maker))), run.alone = settings_.alone, run.threads = settings_.threads;
+        const Ending ending = run_in(place.folder(), command);
+        note_command(maker);
+        run.alone = settings_.alone, run.threads = settings_.threads;
         run.wall_seconds = ending.wall_seconds, run.cpu_seconds = ending.cpu_seconds, run.peak_memory_bytes = ending.peak_memory_bytes;
         run.state = VersusRun::State::failed;
         run.message = ending_reason(ending, settings_.limits);
-        if (ending.kind != Ending::Kind::exited) return ending;
+        if (ending.kind != Ending::Kind::exited) return {ending, names};
         const TakenFile picture = take_file(place.folder(), picture_name(maker), settings_.limits.file_bytes);
         if (ending.status == 0 && picture.bytes) {
             write_bytes(place_of(picture_name(maker)), *picture.bytes);
@@ -167,14 +170,14 @@ private:
         } else if (ending.status == 0) {
             run.message = picture.problem;
         }
-        return ending;
+        return {ending, names};
     }
 
     void run_povray(const std::string& key) {
-        const Ending ending = run_maker(Maker::povray);
+        const auto [ending, names] = run_maker(Maker::povray);
         VersusRun& run = result_.run(Maker::povray);
         read_povray_statistics(ending.output, run);
-        const std::string message = povray_message(ending.output);
+        const std::string message = names.without_links(povray_message(povray_lines(ending.output)));
         if (ending.kind == Ending::Kind::exited && ending.status != 0) {
             if (message.find("Error: ") != message.npos)
                 run.state = VersusRun::State::refused, run.message = message;
@@ -184,18 +187,19 @@ private:
         // A refusal is not kept: it is quick, and names files that may lie elsewhere next time.
         if (run.state != VersusRun::State::done || key.empty()) return;
         known_.put(key, {{"run.json", json_text({{"run", run_json(run)}, {"times", run_times_json(run)}}, 1)},
-                         {"picture.png", read_file_text(place_of(picture_name(Maker::povray)), most_bytes).value()}});
+                         {"picture.png", read_file_text(place_of(picture_name(Maker::povray)), settings_.limits.file_bytes).value()}});
     }
 
     void run_ours(Maker maker, const Reading& reading) {
         VersusRun& run = result_.run(maker);
         if (!reading.missing.empty()) {
             const MissingFeature& first = reading.missing.front();
-            run.command = command_for(maker, place_of(picture_name(maker))), run.state = VersusRun::State::refused;
+            note_command(maker);
+            run.state = VersusRun::State::refused;
             run.message = fmt::format("{}:{}:{}: {} is not modelled", first.file, first.line, first.column, first.name);
             return;
         }
-        const Ending ending = run_maker(maker);
+        const Ending ending = run_maker(maker).first;
         read_our_statistics(ending.output, run);
         // Statuses 1 and 4 are about the scene: a mistake in it, or a limit of ours.
         if (ending.kind != Ending::Kind::exited || ending.status == 0) return;

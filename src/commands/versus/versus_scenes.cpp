@@ -8,6 +8,7 @@
 #include <set>
 
 #include "commands/base/name_pattern.h"
+#include "commands/base/shell_words.h"
 #include "commands/base/values.h"
 #include "core/source.h"
 
@@ -21,6 +22,14 @@ bool is_scene(const fs::path& path) { return lower_case(path.extension().string(
 
 /// Whether a folder's content is nobody's scene: hidden, or the output of a comparison.
 bool is_left_out(const fs::path& path, const fs::path& output) { return path.filename().string().starts_with('.') || path == output; }
+
+std::string shown(const fs::path& name) {
+    if (is_utf8(name.string())) return name.string();
+    std::string text;
+    for (const char c : name.string())
+        text += static_cast<unsigned char>(c) < 0x80 ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    return text;
+}
 
 std::vector<fs::path> scenes_below(const fs::path& folder, const fs::path& output) {
     std::vector<fs::path> scenes;
@@ -41,15 +50,16 @@ void add(const std::string& argument, const fs::path& output, std::vector<Versus
     fs::path path = fs::canonical(argument, error);
     if (error) path = fs::canonical(argument + ".pov", error);
     if (error) throw OptionError(fmt::format("there is no scene or folder '{}'", argument));
-    if (!fs::is_directory(path)) {
-        scenes.push_back({path.stem().string(), path.string()});
+    if (fs::is_regular_file(path)) {
+        scenes.push_back({shown(path.stem()), path.string()});
         return;
     }
+    if (!fs::is_directory(path)) throw OptionError(fmt::format("'{}' is neither a scene nor a folder", argument));
     const std::vector<fs::path> below = scenes_below(path, output);
     if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", argument));
     for (const fs::path& scene : below) {
         const fs::path inner = scene.lexically_relative(path).replace_extension();
-        scenes.push_back({(path.filename() / inner).string(), scene.string()});
+        scenes.push_back({shown(path.filename() / inner), scene.string()});
     }
 }
 
@@ -59,7 +69,7 @@ std::string last_parts(const fs::path& path, std::ptrdiff_t parts) {
     const std::ptrdiff_t all = std::distance(inner.begin(), inner.end());
     fs::path name;
     for (auto part = std::next(inner.begin(), std::max<std::ptrdiff_t>(0, all - parts)); part != inner.end(); ++part) name /= *part;
-    return (parts > all ? name : name.replace_extension()).string();
+    return shown(parts > all ? name : name.replace_extension());
 }
 
 /// Names that more than one scene has begin with one more of the folders around it, until each has its own.

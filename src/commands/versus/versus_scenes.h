@@ -7,7 +7,9 @@
 namespace rt {
 
 struct VersusScene {
-    std::string name;  ///< of an argument's folder and where it lies in it: "pov/shading/vases"; with folders around if that is not unique
+    /// Of an argument's folder and where it lies in it: "pov/shading/vases"; with folders around if that is not unique. UTF-8: in a name
+    /// of other bytes those are written as %FF.
+    std::string name;
     std::string path;  ///< absolute
 };
 

@@ -46,8 +46,8 @@ void add_sampling(const Sampling& sampling, std::vector<std::string>& words) {
     if (sampling.gamma != Sampling{}.gamma) words.push_back(fmt::format("+AG{}", sampling.gamma));
 }
 
-/// What a scene may read: all that the user may, but for the system's own folders, which a room has of its own. POV-Ray's settings in
-/// /etc are among those, so that they change no picture.
+/// What a scene may read: all that the user may, but for the system's own folders, which a room has of its own; people's files in those
+/// are seen. POV-Ray's settings in /etc are not, so that they change no picture.
 std::vector<std::string> all_folders() {
     constexpr std::array<std::string_view, 12> systems = {"proc", "dev",   "sys",   "usr",    "bin", "sbin",
                                                           "lib",  "lib32", "lib64", "libx32", "etc", "run"};
@@ -58,7 +58,8 @@ std::vector<std::string> all_folders() {
         const bool is_systems = std::find(systems.begin(), systems.end(), path.substr(1)) != systems.end();
         if (!is_systems && entry.is_directory(none) && access(path.c_str(), R_OK | X_OK) == 0) folders.push_back(path);
     }
-    if (fs::is_directory("/run/media", none)) folders.emplace_back("/run/media");
+    for (const char* path : {"/run/media", "/run/user", "/dev/shm"})
+        if (fs::is_directory(path, none)) folders.emplace_back(path);
     return folders;
 }
 
@@ -104,11 +105,10 @@ std::vector<std::string> povray_command_to_copy(const VersusSettings& settings, 
     PovrayNames names((fs::path("/tmp") / ("raytrace-names-" + hash_of(scene + "\n" + picture).substr(0, 16))).string());
     const std::vector<std::string> words = povray_command(settings, scene, picture, names);
     if (names.links().empty()) return words;
-    std::string script = fmt::format("mkdir -p {}", fs::path(names.links().front().first).parent_path().string());
-    for (const auto& [link, path] : names.links()) script += fmt::format(" && ln -sfn -- {} {}", shell_word(path), link);
-    script += " &&";
-    for (const std::string& word : words) script += fmt::format(" {}", shell_word(word));
-    return {"/bin/bash", "-c", script};
+    const std::string folder = fs::path(names.links().front().first).parent_path().string();
+    std::string script = fmt::format("rm -rf {0} && mkdir -m 700 {0} && trap 'rm -r {0}' EXIT", folder);
+    for (const auto& [link, path] : names.links()) script += fmt::format(" && ln -s -- {} {}", shell_word(path), link);
+    return {"/bin/bash", "-c", fmt::format("{} && {}", script, shell_words(words))};
 }
 
 std::string no_settings_file(const VersusSettings& settings) { return (fs::path(settings.folder) / "povray.ini").string(); }
@@ -133,20 +133,25 @@ std::vector<std::string> our_command(const VersusSettings& settings, const std::
     return words;
 }
 
+std::vector<std::string> command_as_text(std::vector<std::string> command) {
+    if (std::all_of(command.begin(), command.end(), is_utf8)) return command;
+    return {"/bin/bash", "-c", shell_words(command)};
+}
+
 std::string picture_name(Maker maker) { return fmt::format("{}.png", name_of(maker_names, maker)); }
 
 std::string find_povray(const std::string& named) {
+    constexpr const char* how_to_install = "On Debian:\n    sudo apt-get install povray povray-includes";
     if (!named.empty()) {
-        if (!is_program(named)) throw OptionError(fmt::format("--povray: '{}' is no program", named));
+        if (!is_program(named)) throw OptionError(fmt::format("--povray: '{}' is no program. {}", named, how_to_install));
         return fs::absolute(named).lexically_normal().string();
     }
     const char* path = std::getenv("PATH");
     for (const std::string& folder : split(path ? path : "", ':'))
         if (const std::string program = folder + "/povray"; !folder.empty() && is_program(program)) return fs::absolute(program).string();
-    throw OptionError(
-        "POV-Ray is not installed, so there is nothing to compare with. On Debian:\n"
-        "    sudo apt-get install povray povray-includes\n"
-        "A program that is not in $PATH is named by --povray PROGRAM");
+    throw OptionError(fmt::format(
+        "POV-Ray is not installed, so there is nothing to compare with. {}\nA program that is not in $PATH is named by --povray PROGRAM",
+        how_to_install));
 }
 
 Ending run_program_for(const VersusSettings& settings, const std::vector<std::string>& command, const VersusPlace& place, int slot) {

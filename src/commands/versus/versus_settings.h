@@ -36,7 +36,7 @@ RenderJob job_of_words(const std::vector<std::string>& words);
 /// POV-Ray gets no settings but these: the .ini file that it takes in place of the user's and the system's says nothing.
 std::vector<std::string> povray_command(const VersusSettings& settings, const std::string& scene, const std::string& picture,
                                         PovrayNames& names);
-/// The same for a shell: it makes the links that names need.
+/// The same for a shell: it makes the links that names need, and removes them.
 std::vector<std::string> povray_command_to_copy(const VersusSettings& settings, const std::string& scene, const std::string& picture);
 /// What of it a picture depends on besides the files that are read. Throws OptionError for what POV-Ray's command line cannot say.
 std::vector<std::string> povray_picture_words(const RenderJob& job);
@@ -45,6 +45,9 @@ std::string no_settings_file(const VersusSettings& settings);
 std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker, const std::string& picture);
 /// "povray.png", "same.png", "general.png".
 std::string picture_name(Maker maker);
+
+/// A command as text can hold it, which is UTF-8: with a word that is not, the same by a shell.
+std::vector<std::string> command_as_text(std::vector<std::string> command);
 
 /// The absolute path of POV-Ray: `named` if it is not empty, else the first one in $PATH. Throws OptionError that says how to install it.
 std::string find_povray(const std::string& named);

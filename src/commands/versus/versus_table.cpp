@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <filesystem>
 
 #include "commands/base/values.h"
 #include "commands/versus/versus_reports.h"
@@ -14,6 +14,18 @@ namespace {
 constexpr std::size_t longest_message = 160;
 
 std::string first_line(const std::string& text) { return printable(text.substr(0, text.find('\n')), longest_message); }
+
+/// A text without the scene's folder where a path begins, behind `mark`: the scene is named beside it.
+std::string without_folder(const VersusResult& result, std::string text, std::string_view mark) {
+    const std::string folder = fmt::format("{}{}/", mark, std::filesystem::path(result.path).parent_path().string());
+    if (const std::size_t at = text.find(folder); at != text.npos && (at == 0 || !mark.empty()))
+        text.erase(at + mark.size(), folder.size() - mark.size());
+    return text;
+}
+
+std::string message_of(const VersusResult& result, Maker maker) {
+    return first_line(without_folder(result, result.run(maker).message, "File '"));
+}
 
 /// Names of files may hold anything.
 std::string name_text(const VersusResult& result) { return printable(result.name, longest_message); }
@@ -41,13 +53,12 @@ std::string place_text(const Likeness& like) {
 
 /// Each message once, behind those whose it is.
 std::string messages_text(const VersusResult& result) {
-    const std::string theirs = first_line(result.run(Maker::povray).message);
+    const std::string theirs = message_of(result, Maker::povray);
     std::string text;
-    if (!theirs.empty())
-        text += fmt::format("      {}: {}\n", theirs == first_line(result.run(Maker::same).message) ? "both" : "POV-Ray", theirs);
+    if (!theirs.empty()) text += fmt::format("      {}: {}\n", theirs == message_of(result, Maker::same) ? "both" : "POV-Ray", theirs);
     std::string before = theirs;
     for (const Maker maker : {Maker::same, Maker::general}) {
-        const std::string ours = first_line(result.run(maker).message);
+        const std::string ours = message_of(result, maker);
         if (!ours.empty() && ours != before) text += fmt::format("      we: {}\n", ours);
         before = ours;
     }
@@ -68,11 +79,10 @@ std::string scene_text(const VersusResult& result, const VersusLimits& limits, s
 /// A scene that is not modelled: its features, and where the first of them stands.
 std::string missing_line(const VersusResult& result, std::size_t width) {
     std::vector<std::string> names;
-    for (const MissingFeature& missing : result.missing)
-        if (std::find(names.begin(), names.end(), missing.name) == names.end()) names.push_back(missing.name);
+    for (const MissingFeature& missing : result.missing) names.push_back(missing.name);
     const MissingFeature& first = result.missing.front();
-    return fmt::format("  {:<{}} {} ({}:{}:{})\n", name_text(result), width, fmt::join(names, ", "), printable(first.file, longest_message),
-                       first.line, first.column);
+    return fmt::format("  {:<{}} {} ({}:{}:{})\n", name_text(result), width, fmt::join(names, ", "),
+                       printable(without_folder(result, first.file, ""), longest_message), first.line, first.column);
 }
 
 std::string gains_text(const std::vector<VersusResult>& results) {
@@ -82,22 +92,48 @@ std::string gains_text(const std::vector<VersusResult>& results) {
     return text;
 }
 
-/// Sums of wall clock over the scenes that all three rendered.
+bool all_rendered(const VersusResult& result) {
+    return std::all_of(result.runs.begin(), result.runs.end(), [](const VersusRun& run) { return run.state == VersusRun::State::done; });
+}
+
+/// Our wall clock as a share of POV-Ray's, scene by scene.
+std::string ratio_text(const std::vector<const VersusResult*>& results, Maker maker) {
+    std::vector<std::pair<double, const VersusResult*>> ratios;
+    for (const VersusResult* result : results)
+        ratios.emplace_back(result->run(maker).wall_seconds / result->run(Maker::povray).wall_seconds, result);
+    std::sort(ratios.begin(), ratios.end(),
+              [](const auto& a, const auto& b) { return std::pair(a.first, a.second->name) < std::pair(b.first, b.second->name); });
+    const double median = 0.5 * (ratios[(ratios.size() - 1) / 2].first + ratios[ratios.size() / 2].first);
+    const auto& [worst, scene] = ratios.back();
+    return fmt::format("  {} / POV-Ray: median {:.2f}, at most {:.2f} ({})\n", name_of(maker_names, maker), median, worst,
+                       name_text(*scene));
+}
+
+/// Sums over the scenes that all three rendered, and how they divide among the phases that the programs print.
 std::string times_text(const VersusRecord& record) {
-    double seconds[makers] = {};
-    bool fair = true, any = false;
-    for (const VersusResult& result : record.results) {
-        const auto is_done = [](const VersusRun& run) { return run.state == VersusRun::State::done; };
-        if (!std::all_of(result.runs.begin(), result.runs.end(), is_done)) continue;
-        any = true;
-        for (std::size_t i = 0; i < makers; ++i) {
-            seconds[i] += result.runs[i].wall_seconds;
-            fair = fair && result.runs[i].alone && result.runs[i].threads == result.runs[0].threads;
+    std::vector<const VersusResult*> results;
+    for (const VersusResult& result : record.results)
+        if (all_rendered(result)) results.push_back(&result);
+    if (results.empty()) return {};
+    bool fair = true;
+    std::string lines;
+    for (const auto& [name, maker] : maker_names) {
+        double wall = 0.0;
+        Phases sum;
+        for (const VersusResult* result : results) {
+            const VersusRun& run = result->run(maker);
+            wall += run.wall_seconds, sum.parse += run.phases.parse, sum.build += run.phases.build;
+            sum.trace += run.phases.trace, sum.write += run.phases.write;
+            fair = fair && run.alone && run.threads == results.front()->run(Maker::povray).threads;
         }
+        lines += fmt::format("  {:<8}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}", maker == Maker::povray ? "POV-Ray" : name, wall, sum.parse,
+                             sum.build, sum.trace);
+        lines += maker == Maker::povray ? "\n" : fmt::format("{:>10.2f}\n", sum.write);
     }
-    if (!any) return {};
-    return fmt::format("wall clock of scenes that all rendered: POV-Ray {:.1f} s, we {:.1f} s with its shading, {:.1f} s with ours{}\n",
-                       seconds[0], seconds[1], seconds[2], fair ? "" : " (not fair: not all ran alone with as many threads)");
+    return fmt::format("seconds of {} that all rendered{}\n  {:<8}{:>10}{:>10}{:>10}{:>10}{:>10}\n{}{}{}",
+                       results.size() == 1 ? "the scene" : fmt::format("the {} scenes", results.size()),
+                       fair ? "" : " (not fair: not all ran alone with as many threads)", "", "wall", "parse", "build", "trace", "write",
+                       lines, ratio_text(results, Maker::same), ratio_text(results, Maker::general));
 }
 
 std::string closing_text(const VersusRecord& record) {

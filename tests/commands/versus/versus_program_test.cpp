@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -71,13 +72,20 @@ TEST_F(Versus, MistakesAreStatusFour) {
         return outcome.err;
     };
     EXPECT_EQ(message({}), "raytrace: versus: expected scenes or folders; see raytrace versus --help\n");
-    EXPECT_EQ(message({"a.pov", "--povray", "nowhere"}), "raytrace: --povray: 'nowhere' is no program\n");
+    EXPECT_EQ(message({"a.pov", "--povray", "nowhere"}),
+              "raytrace: --povray: 'nowhere' is no program. On Debian:\n    sudo apt-get install povray povray-includes\n");
     EXPECT_EQ(message({"a.pov", "--povray", "/bin/true"}), "raytrace: '/bin/true' is not POV-Ray: --version prints no version of it\n");
+    EXPECT_EQ(message({"nowhere"}), "raytrace: there is no scene or folder 'nowhere'\n");
+    EXPECT_EQ(message({"a.pov", "-W", "8192", "-H", "4097"}),
+              "raytrace: 8192 x 4097 pixels are too many to compare; at most 33554432 are\n");
+    EXPECT_EQ(message({"a.pov", "--rmse", "0"}), "raytrace: rmse: 0 is too little: no RMSE is below it\n");
+    EXPECT_EQ(message({"a.pov", "-L", "/nosuch"}), "raytrace: --library: there is no folder '/nosuch'\n");
     EXPECT_EQ(message({"a.pov", "-W", "0"}), "raytrace: width: 0 is outside 1 to 1000000\n");
     EXPECT_EQ(message({"a.pov", "--judge", "povray"}), "raytrace: 'povray' is no shading to judge; expected one of same, general\n");
     EXPECT_EQ(message({"a.pov", "--percent", "101"}), "raytrace: percent: 101 is outside 0 to 100\n");
     EXPECT_THAT(message({"a.pov", "--ss", "3"}), HasSubstr("--ss"));
     EXPECT_THAT(message({"a.pov", "+Q3"}), HasSubstr("--povray-quality"));
+    EXPECT_FALSE(here.has("versus-results"));
 }
 
 TEST_F(Versus, AStandInThatPrintsOurPictureAgrees) {
@@ -132,23 +140,80 @@ TEST_F(Versus, KnownPicturesAreNotMadeAgain) {
 TEST_F(Versus, RefusalsAreToldApart) {
     here.write("bad.pov", "sphere { 0, 1 pigmnt { rgb 1 } }\n");
     here.write("good.pov", shiny_scene);
-    here.write("mist.pov", std::string(shiny_scene) + "fog { distance 3 rgb 1 }\nblob { threshold 1 sphere { 0, 1, 1 } }\n");
-    stand_in("case $scene in *mist*) cp $here/right.png $out;; *) echo \"File 'x.pov' line 7: Parse Error: no\"; exit 1;; esac");
+    here.write("mist.pov",
+               std::string(shiny_scene) + "fog { distance 3 rgb 1 }\nblob { threshold 1 sphere { 0, 1, 1 } }\nfog { distance 3 rgb 1 }\n");
+    here.write("worse.pov", "\n\nsphere { 0, 1 pigmnt { rgb 1 } }\n");
+    stand_in("case $scene in *mist*) cp $here/right.png $out;; *) echo \"File '$scene' line 1: Parse Error: no\"; exit 1;; esac");
     ASSERT_EQ(run({"good.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
     const Outcome outcome = versus({"."});
     EXPECT_EQ(outcome.status, 1);
     const nlohmann::json all = results()["scenes"];
-    ASSERT_EQ(all.size(), 3u);
+    ASSERT_EQ(all.size(), 4u);
     EXPECT_EQ(all[0]["cause"], "refused by both");
-    EXPECT_EQ(all[0]["povray"]["message"], "File 'x.pov' line 7: Parse Error: no");
+    EXPECT_EQ(all[0]["povray"]["message"], fmt::format("File '{}' line 1: Parse Error: no", all[0]["path"].get<std::string>()));
     EXPECT_THAT(all[0]["same"]["message"].get<std::string>(), HasSubstr("line 1: Parse Error: No matching } in 'sphere'"));
     EXPECT_EQ(all[1]["cause"], "refused by POV-Ray alone");
     EXPECT_EQ(all[2]["cause"], "not modelled");
+    EXPECT_EQ(all[2]["not_modelled"].size(), 2u);  // each once
     EXPECT_EQ(all[2]["not_modelled"][0]["name"], "fog");
     EXPECT_EQ(all[2]["not_modelled"][0]["line"], 6);
     EXPECT_THAT(all[2]["same"]["message"].get<std::string>(), HasSubstr("mist.pov:6:1: fog is not modelled"));
-    EXPECT_THAT(outcome.out, HasSubstr("1 of 3 scenes agree: 1 not modelled, 1 refused by POV-Ray alone, 1 refused by both\n"));
-    EXPECT_EQ(versus({"bad.pov"}).status, 0);
+    EXPECT_EQ(all[3]["cause"], "refused at different places");
+    EXPECT_THAT(outcome.out, HasSubstr("1 of 4 scenes agree: 1 refused at different places, 1 not modelled, 1 refused by POV-Ray alone, "
+                                       "1 refused by both\n"));
+    const Outcome nothing = versus({"bad.pov"});
+    EXPECT_EQ(nothing.status, 4);
+    EXPECT_THAT(nothing.out, HasSubstr("1 of 1 scenes agree: 1 refused by both\n"));
+    EXPECT_THAT(nothing.err, testing::EndsWith("\nraytrace: nothing was compared: both programs refuse every scene\n"));
+    stand_in("case $scene in *good*) cp $here/right.png $out;; *) echo \"File '$scene' line 1: Parse Error: no\"; exit 1;; esac");
+    EXPECT_EQ(versus({"bad.pov", "good.pov"}).status, 0);
+    EXPECT_EQ(versus({"good.pov", "bad.pov"}).status, 0);
+}
+
+TEST_F(Versus, TheTableIsPrintedWhereReportsCannotBeWritten) {
+    here.write("a.pov", shiny_scene);
+    stand_in("exit 7");
+    std::filesystem::create_directories("out/results.json");
+    const Outcome outcome = versus({"a.pov", "-o", "out"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_THAT(outcome.out, HasSubstr("0 of 1 scenes agree: 1 failed\n"));
+    EXPECT_THAT(outcome.err, testing::MatchesRegex("raytrace: Cannot write '.*/out/results.json': Is a directory\n"));
+    here.write("file", "");
+    const Outcome none = versus({"a.pov", "-o", "file/out"});
+    EXPECT_EQ(none.status, 3);
+    EXPECT_EQ(none.out, "");
+    EXPECT_EQ(none.err, "raytrace: cannot make the folder 'file/out': Not a directory\n");
+}
+
+TEST_F(Versus, NamesThatAreNotUtf8LeadToTheirPictures) {
+    here.write("\xff.pov", shiny_scene);
+    ASSERT_EQ(run({"\xff.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
+    stand_in("cat $here/right.png > $out");  // cp writes through no link to what is not there
+    EXPECT_EQ(versus({"\xff.pov", "-o", "\xfe"}).status, 0);
+    const nlohmann::json scene = results("\xfe")["scenes"][0];
+    EXPECT_EQ(scene["scene"], "%FF");
+    for (const char* maker : {"povray", "same", "general"}) {
+        const std::string picture = fmt::format("\xfe/pictures/%FF/{}.png", maker), before = here.read(picture);
+        std::filesystem::remove(picture);
+        std::string again;
+        for (const nlohmann::json& word : scene[maker]["command"]) again += shell_word(word.get<std::string>()) + " ";
+        EXPECT_EQ(std::system((again + " > /dev/null 2>&1").c_str()), 0) << again;
+        EXPECT_EQ(here.read(picture), before) << again;
+    }
+    EXPECT_THAT(here.read("\xfe/report.html"), HasSubstr(R"("label":"Same shading","picture":)"));
+}
+
+TEST_F(Versus, ScenesInSharedMemorySeeWhatIsAroundThem) {
+    std::string folder = "/dev/shm/raytrace_test_XXXXXX";
+    if (!mkdtemp(folder.data())) GTEST_SKIP() << "there is no /dev/shm";
+    std::filesystem::create_directory(folder + "/scenes");
+    std::ofstream(folder + "/lamp.inc") << "light_source { <5, 5, -5>, 1 }\n";
+    std::ofstream(folder + "/scenes/a.pov") << "#include \"../lamp.inc\"\n" << shiny_scene;
+    ASSERT_EQ(run({folder + "/scenes/a.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
+    stand_in("cp $here/right.png $out");
+    const Outcome outcome = versus({folder});
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
 }
 
 TEST_F(Versus, APictureThatNobodyCanReadIsPovraysFailureAndNotKept) {
@@ -168,7 +233,6 @@ TEST_F(Versus, AFailureSaysWhatWasPrinted) {
     stand_in("echo 'Problem with option setting'; exit 1");
     EXPECT_EQ(versus({"a.pov"}).status, 1);
     EXPECT_EQ(results()["scenes"][0]["povray"]["message"], "exit status 1: Problem with option setting");
-    EXPECT_EQ(versus({"a.pov", "-L", "/nosuch"}).err, "raytrace: --library: there is no folder '/nosuch'\n");
 }
 
 TEST_F(Versus, WhatNeverEndsIsEnded) {
@@ -210,7 +274,7 @@ TEST_F(Versus, ManyAtATimeSayThatTimesAreNotFair) {
     stand_in("cp $here/right.png $out");
     const Outcome outcome = versus({"a.pov", "b.pov", "-j", "2"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_THAT(outcome.out, HasSubstr(" (not fair: not all ran alone with as many threads)\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("seconds of the 2 scenes that all rendered (not fair: not all ran alone with as many threads)\n"));
     EXPECT_EQ(nlohmann::json::parse(here.read("versus-results/times.json"))["scenes"][0]["same"]["alone"], false);
 }
 
@@ -262,6 +326,7 @@ TEST_F(Versus, PovrayReadsWhatAUserWouldHaveItRead) {
         PROGRAM);
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << here.read("out") << here.read("err");
     const nlohmann::json all = results("out \u00e9")["scenes"];
+    int with_links = 0;
     ASSERT_EQ(all.size(), 2u);
     for (const nlohmann::json& scene : all) {
         EXPECT_EQ(scene["cause"], "agrees") << scene.dump(1);
@@ -276,8 +341,27 @@ TEST_F(Versus, PovrayReadsWhatAUserWouldHaveItRead) {
             EXPECT_EQ(std::system((again + " > /dev/null 2>&1").c_str()), 0) << again;
             EXPECT_TRUE(here.has(picture)) << again;
             EXPECT_TRUE(std::string(maker) == "povray" || here.read(picture) == before);
+            if (const std::size_t at = again.find("/tmp/raytrace-names-"); at != again.npos) {
+                ++with_links;
+                EXPECT_FALSE(std::filesystem::exists(again.substr(at, again.find(' ', at) - at))) << again;
+            }
         }
     }
+    EXPECT_EQ(with_links, 2);
+}
+
+TEST_F(Versus, PovrayTakesPathsThatAreLongerThanItsRoomForThem) {
+    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "POV-Ray is not installed";
+    const std::string folder(200, 'a');
+    std::filesystem::create_directory(folder);
+    here.write(folder + "/good.pov", shiny_scene);
+    here.write(folder + "/bad.pov", "sphere { 0, 1 pigmnt { rgb 1 } }\n");
+    const Outcome outcome = run({"versus", folder, "-W", "32", "-H", "24"});
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
+    const nlohmann::json all = results()["scenes"];
+    EXPECT_EQ(all[0]["cause"], "refused by both");
+    EXPECT_THAT(all[0]["povray"]["message"].get<std::string>(), HasSubstr("/" + folder + "/bad.pov' line 1: Parse Error: No matching }"));
+    EXPECT_EQ(all[1]["cause"], "agrees");
 }
 
 }  // namespace
