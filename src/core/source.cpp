@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/utf8.h"
+
 namespace rt {
 
 namespace {
@@ -64,7 +66,7 @@ std::string Sources::describe(const Span& span, std::string_view kind, std::stri
     if (span.file >= files_.size()) return fmt::format("{}: {}", kind, text);
     const SourceFile& file = files_[span.file]->source;
     const std::size_t line_number = locate(span.file, span.begin).line;
-    std::string message = fmt::format("File '{}' line {}: {}: {}", file.name, line_number, kind, text);
+    std::string message = fmt::format("File '{}' line {}: {}: {}", one_line(file.name), line_number, kind, text);
 
     const Line line = line_around(file.text, span.begin);
     const std::size_t caret = std::min<std::size_t>(span.begin, line.end);

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "core/source.h"
+#include "core/utf8.h"
 #include "film/temporary_files.h"
 
 namespace rt {
@@ -56,7 +57,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
 void OutputFile::open_temporary() {
     const fs::path target(target_);
     // The target's name may already be as long as names can be.
-    const std::string stem = target.filename().string().substr(0, 64);
+    const std::string stem(whole_characters(target.filename().string(), 64));
     for (int attempt = 0;; ++attempt) {
         temporary_ = (target.parent_path() / fmt::format(".{}.{}.{}.tmp", stem, getpid(), attempt)).string();
         const HoldSignals until_registered;
@@ -81,7 +82,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(int code, const std::string& reason) const {
-    const std::string name = path_ == "-" ? "standard output" : fmt::format("'{}'", path_);
+    const std::string name = path_ == "-" ? "standard output" : fmt::format("'{}'", one_line(path_));
     throw OutputError(fmt::format("Cannot write {}: {}", name, reason.empty() ? std::strerror(code) : reason));
 }
 

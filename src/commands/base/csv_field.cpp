@@ -4,9 +4,14 @@
 
 #include <string_view>
 
+#include "core/utf8.h"
+
 namespace rt {
 
 std::string csv_field(std::string text) {
+    text = valid_utf8(text);
+    for (char& c : text)
+        if (const auto byte = static_cast<unsigned char>(c); (byte < 0x20 && c != '\t' && c != '\r' && c != '\n') || byte == 0x7F) c = '?';
     if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) text = fmt::format("'{}", text);
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";

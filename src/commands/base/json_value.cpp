@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "commands/base/json_place.h"
+#include "commands/base/values.h"
 
 namespace rt {
 
@@ -60,7 +61,7 @@ void JsonValue::expect_only(std::initializer_list<std::string_view> known) const
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         std::vector<std::string> path = path_;
         path.push_back(name);
-        refuse(path, fmt::format("Unknown member \"{}\"; known are {}.", name, fmt::join(known, ", ")));
+        refuse(path, fmt::format("Unknown member \"{}\"; known are {}.", printable(name, 40), fmt::join(known, ", ")));
     }
 }
 
@@ -99,9 +100,8 @@ Vec3 JsonValue::vector() const {
 }
 
 void JsonValue::fail(std::string_view expected) const {
-    std::string found = content_->dump(-1, ' ', false, json::error_handler_t::replace);
-    if (found.size() > 40) found = found.substr(0, 37) + "...";
-    refuse(path_, fmt::format("Expected {}, {} found instead.", expected, found));
+    const std::string found = content_->dump(-1, ' ', false, json::error_handler_t::replace);
+    refuse(path_, fmt::format("Expected {}, {} found instead.", expected, printable(found, 40)));
 }
 
 void JsonValue::refuse(const std::vector<std::string>& path, std::string_view text) const {

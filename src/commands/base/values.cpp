@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/source.h"
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -60,9 +61,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 }
 
 std::string printable(std::string_view text, std::size_t most) {
-    std::string shown(text.substr(0, most));
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    const std::string shown = one_line(whole_characters(text, most));
     return text.size() > most ? shown + "..." : shown;
 }
 

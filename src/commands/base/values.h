@@ -18,8 +18,9 @@ Rgb one_or_three(std::string_view what, std::string_view text, double least, dou
 /// on, true, yes, 1, y, t or off, false, no, 0, n, f; case ignored. An empty text means on.
 bool on_or_off(std::string_view what, std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
-/// What a message shows of a text that may hold anything: control bytes as '?', cut with "..." behind `most` bytes.
-std::string printable(std::string_view text, std::size_t most);
+/// What a message shows of a text that may hold anything, the name of a file for instance: one line (see `one_line`), cut with "..."
+/// behind `most` bytes, which is as long as a path can be.
+std::string printable(std::string_view text, std::size_t most = 4096);
 /// Without the three bytes by which some editors mark a file as UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 std::string lower_case(std::string_view text);

@@ -9,6 +9,9 @@ namespace rt {
 /// through OutputFile instead, which appears whole or not at all.
 void write_bytes(const std::string& path, const std::string& bytes);
 
+/// Makes a folder and those around it, where they are missing. Throws OutputError.
+void make_folder(const std::string& path);
+
 /// Writes a text that a user asked for: it appears whole or not at all. Throws OutputError.
 void write_report(const std::string& path, const std::string& text);
 

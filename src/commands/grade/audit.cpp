@@ -104,11 +104,17 @@ void note(AuditLine& line, const TestCase& test, const Result& result, bool same
         ++line.noticed;
 }
 
+std::vector<std::string> shown(const std::vector<std::string>& names) {
+    std::vector<std::string> lines;
+    for (const std::string& name : names) lines.push_back(printable(name, 200));
+    return lines;
+}
+
 StoredImage right_picture(const TestCase& test) {
     try {
         return read_image(test.expected);
     } catch (const OptionError& error) {
-        throw OptionError(fmt::format("test '{}': the expected picture: {}", printable(test.name, 200), error.what()));
+        throw OptionError(fmt::format("test '{}': the expected picture: {}", printable(test.name, 200), printable(error.what())));
     }
 }
 
@@ -124,7 +130,9 @@ void audit_picture(const Suite& suite, const TestCase& test, std::vector<AuditLi
 
 void audit_text(const TestCase& test, AuditLine& line) {
     const std::optional<std::string> right = read_file_text(test.expected, most_bytes);
-    if (!right) throw OptionError(fmt::format("test '{}': cannot read the expected text '{}'", printable(test.name, 200), test.expected));
+    if (!right)
+        throw OptionError(
+            fmt::format("test '{}': cannot read the expected text '{}'", printable(test.name, 200), printable(test.expected)));
     const std::optional<std::string> wrong = one_digit_changed(*right);
     if (wrong) note(line, test, judge_text(test, good_ending(*wrong), *right), false);
 }
@@ -148,8 +156,8 @@ std::string audit_text(const std::vector<AuditLine>& lines) {
         const std::size_t all = line.noticed + line.blind.size();
         text += fmt::format("{:<24}", line.mistake);
         text += all ? fmt::format("{:>4} of {:>3} tests notice it", line.noticed, all) : "   no test has it";
-        if (!line.blind.empty()) text += fmt::format("; blind: {}", fmt::join(line.blind, " "));
-        if (!line.unmoved.empty()) text += fmt::format("; it changes nothing in: {}", fmt::join(line.unmoved, " "));
+        if (!line.blind.empty()) text += fmt::format("; blind: {}", fmt::join(shown(line.blind), " "));
+        if (!line.unmoved.empty()) text += fmt::format("; it changes nothing in: {}", fmt::join(shown(line.unmoved), " "));
         text += "\n";
     }
     return text;

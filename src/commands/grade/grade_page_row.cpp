@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "commands/base/shell_words.h"
+#include "core/utf8.h"
 #include "grading/result_names.h"
 #include "grading/text_alignment.h"
 #include "syntax/file_text.h"
@@ -19,10 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_of_a_text = 1u << 16, most_of_a_line = 2000;
 constexpr std::size_t kept_output = 1u << 14;  ///< as much of what is printed is in a result
-
-std::string cut(const std::string& text, std::size_t most) {
-    return text.size() <= most ? text : fmt::format("{}… ({} bytes more)", text.substr(0, most), text.size() - most);
-}
 
 Json cells_of(const Result& result) {
     Json cells = {{"name", result.test},
@@ -83,8 +80,8 @@ std::string command_of(const Result& result, const TestCase& test) {
 Json lines_of(const std::vector<AlignedLine>& lines) {
     Json list = Json::array();
     for (const AlignedLine& line : lines)
-        list.push_back({line.expected_number, cut(line.expected, most_of_a_line), line.actual_number, cut(line.actual, most_of_a_line),
-                        line.differing});
+        list.push_back({line.expected_number, shortened(line.expected, most_of_a_line), line.actual_number,
+                        shortened(line.actual, most_of_a_line), line.differing});
     return list;
 }
 
@@ -99,23 +96,23 @@ void tell_texts(const Result& result, const TestCase* test, Json& data) {
         // The place is not in what was kept, or there is nothing to lay beside it.
         const TextDifference& d = *result.text;
         const auto number = [](const std::string& line, Json known) { return line.empty() ? Json(0) : std::move(known); };
-        data["lines"] =
-            Json::array({Json::array({number(d.expected_line, nullptr), cut(d.expected_line, most_of_a_line), number(d.actual_line, d.line),
-                                      cut(d.actual_line, most_of_a_line), d.field > 0 ? Json::array({d.field}) : Json::array()})});
+        data["lines"] = Json::array(
+            {Json::array({number(d.expected_line, nullptr), shortened(d.expected_line, most_of_a_line), number(d.actual_line, d.line),
+                          shortened(d.actual_line, most_of_a_line), d.field > 0 ? Json::array({d.field}) : Json::array()})});
         note += expected ? " This is the first line that differs; the page has no more of what was printed."
                          : " This is the first line that differs; the expected text is not there.";
     } else {
         if (expected->size() > most_of_a_text || result.output.size() >= kept_output)
             note += fmt::format(" Only the first {} KiB of what was expected and {} KiB of what was printed are here.",
                                 most_of_a_text >> 10, kept_output >> 10);
-        data["lines"] = lines_of(aligned_lines(expected->substr(0, most_of_a_text), result.output, tolerance));
+        data["lines"] = lines_of(aligned_lines(whole_characters(*expected, most_of_a_text), result.output, tolerance));
     }
     data["lines_note"] = note;
 }
 
 std::vector<ReportPicture> pictures_of(const Result& result, const TestCase* test) {
     if (result.kind == TestCase::Kind::text) return {};
-    const ReportPicture actual{"Actual", result.picture, result.reason.empty() ? "it was not kept" : cut(result.reason, 200)};
+    const ReportPicture actual{"Actual", result.picture, result.reason.empty() ? "it was not kept" : shortened(result.reason, 200)};
     if (result.kind == TestCase::Kind::shown) return {actual};
     return {{"Expected", test ? test->expected : "", "not known here: the grading's tests.json is missing"}, actual};
 }
@@ -128,7 +125,7 @@ ReportRow report_row(const Result& result, const TestCase* test) {
     data = {{"name", result.test}, {"good", is_good(result.outcome)}, {"cells", cells_of(result)}};
     if (!result.required) data["tag"] = "optional";
     const auto put = [&](const char* name, const std::string& text, std::size_t most) {
-        if (!text.empty()) data[name] = cut(text, most);
+        if (!text.empty()) data[name] = shortened(text, most);
     };
     put("reason", result.reason, most_of_a_line);
     put("cause", result.cause, most_of_a_line);

@@ -133,7 +133,7 @@ void write_grade_pages(const GradeRecord& record, const std::string& folder, boo
         write_changed(place / "report.html", report_page(page_of(record, groups.front(), tests), choice));
         return;
     }
-    fs::create_directories(place / "reports");
+    make_folder((place / "reports").string());
     for (const std::vector<Result>& results : groups) {
         ReportPage page = page_of(record, results, tests);
         page.back_href = "../index.html", page.back = "All programs";

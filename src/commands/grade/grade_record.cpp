@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "commands/base/values.h"
 #include "commands/grade/grade_reports.h"
 #include "commands/report/result_json.h"
 #include "grading/result_names.h"
@@ -22,7 +23,7 @@ constexpr std::size_t most_bytes = 1ull << 32;
 
 Sources read(const fs::path& path) {
     std::optional<std::string> text = read_file_text(path.string(), most_bytes);
-    if (!text) throw OptionError(fmt::format("cannot read '{}'", path.string()));
+    if (!text) throw OptionError(fmt::format("cannot read '{}'", printable(path.string())));
     Sources sources;
     sources.add({path.string(), std::move(*text)});
     return sources;

@@ -7,6 +7,8 @@
 #include "commands/base/command_line.h"
 #include "commands/base/interrupt.h"
 #include "commands/base/program.h"
+#include "commands/base/values.h"
+#include "commands/base/write_bytes.h"
 #include "commands/commands.h"
 #include "commands/grade/grade_reports.h"
 #include "commands/help.h"
@@ -26,7 +28,8 @@ std::vector<GradeRecord> in_order(std::vector<GradeRecord> shards) {
         const GradeRecord& shard = shards[std::min(i, shards.size() - 1)];
         if (shard.shard.of != of || shard.suite != shards.front().suite)
             throw OptionError(fmt::format("merge: parts of two gradings: {}/{} of '{}' and {}/{} of '{}'", shards.front().shard.index + 1,
-                                          of, shards.front().suite, shard.shard.index + 1, shard.shard.of, shard.suite));
+                                          of, printable(shards.front().suite), shard.shard.index + 1, shard.shard.of,
+                                          printable(shard.suite)));
         if (i < shards.size() && shard.shard.index < i)
             throw OptionError(fmt::format("merge: shard {}/{} is given twice", shard.shard.index + 1, of));
         if (i >= shards.size() || shard.shard.index > i) throw OptionError(fmt::format("merge: shard {}/{} is missing", i + 1, of));
@@ -49,7 +52,8 @@ void expect_same_tests(const GradeRecord& a, const GradeRecord& b) {
     if (a.tests.size() != b.tests.size()) throw told(fmt::format("{} and {}", a.tests.size(), b.tests.size()));
     for (std::size_t i = 0; i < a.tests.size(); ++i)
         if (!same_test(a.tests[i], b.tests[i]))
-            throw told(fmt::format("number {} is '{}' and '{}', or judged otherwise", i + 1, a.tests[i].name, b.tests[i].name));
+            throw told(fmt::format("number {} is '{}' and '{}', or judged otherwise", i + 1, printable(a.tests[i].name),
+                                   printable(b.tests[i].name)));
 }
 
 /// Dealing L results to N shards gives shard i, from 0, ceil((L - i) / N) of them.
@@ -67,17 +71,18 @@ void expect_sizes(const std::vector<GradeRecord>& shards) {
 /// Each program has each test once, in the suite's order; only a picture that is shown may be missing, where it has no scene.
 void expect_complete(const GradeRecord& whole) {
     for (const std::vector<Result>& results : by_submission(whole.results)) {
-        const std::string& program = results.front().submission;
+        const std::string program = printable(results.front().submission);
         auto next = results.begin();
         for (const TestCase& test : whole.tests) {
             if (next != results.end() && next->test == test.name)
                 ++next;
             else if (!test.expected.empty())
-                throw OptionError(
-                    fmt::format("merge: '{}' has no result of test '{}' in its place: shards of other programs?", program, test.name));
+                throw OptionError(fmt::format("merge: '{}' has no result of test '{}' in its place: shards of other programs?", program,
+                                              printable(test.name)));
         }
         if (next != results.end())
-            throw OptionError(fmt::format("merge: '{}' has a result of test '{}' where none or another is expected", program, next->test));
+            throw OptionError(
+                fmt::format("merge: '{}' has a result of test '{}' where none or another is expected", program, printable(next->test)));
     }
 }
 
@@ -115,9 +120,7 @@ int run_merge(const Words& words) {
     std::vector<GradeRecord> shards;
     for (const std::string& path : folders) shards.push_back(read_record(fs::absolute(path).string()));
     const GradeRecord whole = joined(in_order(std::move(shards)));
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
+    make_folder(folder);
     write_reports(whole, fs::canonical(folder).string(), all_pictures);
     if (!quiet) write_stdout(table_text(whole));
     const bool complete =

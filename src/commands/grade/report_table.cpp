@@ -9,6 +9,7 @@
 #include "commands/base/write_bytes.h"
 #include "commands/grade/grade_pages.h"
 #include "commands/grade/grade_reports.h"
+#include "core/utf8.h"
 #include "grading/result_names.h"
 
 namespace rt {
@@ -64,14 +65,6 @@ std::string many_table(const std::vector<std::vector<Result>>& groups) {
     return text;
 }
 
-/// At most `most`, and not within a character of UTF-8.
-std::size_t utf8_boundary(const std::string& text, std::size_t most) {
-    if (text.size() <= most) return text.size();
-    std::size_t end = most;
-    while (end > 0 && most - end < 3 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-    return end;
-}
-
 }  // namespace
 
 std::string table_text(const GradeRecord& record) {
@@ -84,7 +77,7 @@ std::string report_file_name(const std::string& submission) {
     constexpr std::size_t longest = 180;  // a file's name may have 255 bytes, with its ending and what is put behind while it is written
     constexpr std::size_t before_hash = longest - 33;
     if (submission.size() <= longest && submission.find('/') == submission.npos) return submission;
-    std::string name = submission.substr(0, utf8_boundary(submission, before_hash));
+    std::string name(whole_characters(submission, before_hash));
     std::replace(name.begin(), name.end(), '/', '_');
     return name + "-" + hash_of(submission);
 }
@@ -98,7 +91,7 @@ void write_reports(const GradeRecord& record, const std::string& folder, bool al
     write_report((place / "junit.xml").string(), junit_text(record));
     const std::vector<std::vector<Result>> groups = by_submission(record.results);
     if (groups.size() == 1) write_report((place / "gradescope.json").string(), gradescope_text(groups.front()));
-    if (groups.size() > 1) fs::create_directories(place / "gradescope");
+    if (groups.size() > 1) make_folder((place / "gradescope").string());
     for (std::size_t i = 0; i < groups.size() && groups.size() > 1; ++i)
         write_report((place / "gradescope" / (report_file_name(groups[i].front().submission) + ".json")).string(),
                      gradescope_text(groups[i]));

@@ -8,6 +8,7 @@
 #include "commands/base/values.h"
 #include "commands/grade/suite_file.h"
 #include "commands/grade/suite_notes.h"
+#include "core/utf8.h"
 #include "syntax/file_text.h"
 
 namespace rt {
@@ -20,7 +21,7 @@ constexpr std::size_t most_bytes = 1u << 26;
 
 std::string text_of(const fs::path& path) {
     std::optional<std::string> text = read_file_text(path.string(), most_bytes);
-    if (!text) throw OptionError(fmt::format("cannot read '{}'", path.string()));
+    if (!text) throw OptionError(fmt::format("cannot read '{}'", printable(path.string())));
     return std::move(*text);
 }
 
@@ -70,8 +71,8 @@ public:
         }
         if (!others.empty())
             messages(fmt::format("raytrace: note: {} not in {} but run, as not required: {}",
-                                 others.size() == 1 ? "one test is" : "tests are", (folder_ / "tests.json").string(),
-                                 fmt::join(others, ", ")));
+                                 others.size() == 1 ? "one test is" : "tests are", printable((folder_ / "tests.json").string()),
+                                 one_line(fmt::format("{}", fmt::join(others, ", ")))));
     }
 
 private:
@@ -88,7 +89,8 @@ private:
                 {{"text", TestCase::Kind::text}, {"image", TestCase::Kind::picture}, {"additional", TestCase::Kind::shown}}};
             const TestCase::Kind kind = entry["type"].name(types, "type of test: text, image or additional");
             if (kind != TestCase::Kind::shown && !is_there(folder_ / (name + ".args"))) {
-                messages(fmt::format("raytrace: note: test {}{} is in the list but has no {}.args: left out", prefix_, name, name));
+                messages(fmt::format("raytrace: note: test {}{} is in the list but has no {}.args: left out", printable(prefix_),
+                                     printable(name), printable(name)));
                 continue;
             }
             TestCase test = with_files(name, kind);
@@ -102,6 +104,8 @@ private:
     TestCase with_files(const std::string& name, TestCase::Kind kind) const {
         TestCase test;
         test.name = prefix_ + name, test.kind = kind;
+        if (valid_utf8(test.name) != test.name)
+            throw OptionError(fmt::format("test '{}': its name is not UTF-8", printable((folder_ / name).string())));
         test.limits.wall_seconds = kind == TestCase::Kind::text ? 20.0 : 60.0;
         if (kind == TestCase::Kind::shown) {  // a scene of the student's own
             test.arguments = {"render", name + ".pov", "640", "480"};
@@ -109,7 +113,8 @@ private:
         }
         test.arguments = words_of(folder_ / (name + ".args"));
         const fs::path expected = folder_ / (name + (kind == TestCase::Kind::text ? ".out" : ".png"));
-        if (!is_there(expected)) throw OptionError(fmt::format("test '{}' has no '{}'", test.name, expected.string()));
+        if (!is_there(expected))
+            throw OptionError(fmt::format("test '{}' has no '{}'", printable(test.name), printable(expected.string())));
         test.expected = fs::absolute(expected).lexically_normal().string();
         return test;
     }
@@ -123,7 +128,8 @@ std::string find_inputs(const fs::path& folder) {
     for (const fs::path& place : {folder, folder.parent_path()})
         for (const char* name : {"inputs", "resources"})
             if (std::error_code none; fs::is_directory(place / name, none)) return (place / name).string();
-    throw OptionError(fmt::format("no folder 'inputs' or 'resources' in '{}' or beside it; name it with --inputs", folder.string()));
+    throw OptionError(
+        fmt::format("no folder 'inputs' or 'resources' in '{}' or beside it; name it with --inputs", printable(folder.string())));
 }
 
 }  // namespace
@@ -143,14 +149,15 @@ Suite read_course_suite(const std::string& path, const std::string& inputs, cons
         for (const std::string& part : parts) Part(tests / part, part + "/").read(suite.tests, messages);
     }
     if (suite.tests.empty())
-        throw OptionError(fmt::format("'{}' is no suite: it has no tests.json with tests, nor have its folders", path));
+        throw OptionError(fmt::format("'{}' is no suite: it has no tests.json with tests, nor have its folders", printable(path)));
     return suite;
 }
 
 Suite read_suite(const std::string& path, const std::string& inputs, const MessageSink& messages) {
     std::error_code none;
-    if (!fs::exists(path, none)) throw OptionError(fmt::format("there is no suite '{}'", path));
-    if (!inputs.empty() && !fs::is_directory(inputs, none)) throw OptionError(fmt::format("there is no folder '{}' of inputs", inputs));
+    if (!fs::exists(path, none)) throw OptionError(fmt::format("there is no suite '{}'", printable(path)));
+    if (!inputs.empty() && !fs::is_directory(inputs, none))
+        throw OptionError(fmt::format("there is no folder '{}' of inputs", printable(inputs)));
     const std::string absolute_inputs = inputs.empty() ? "" : fs::canonical(inputs).string();
     Suite suite;
     if (fs::is_directory(path, none)) {

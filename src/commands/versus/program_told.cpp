@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "commands/base/values.h"
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -34,7 +35,7 @@ std::uint64_t count_behind(std::string_view output, std::string_view label) {
 constexpr std::size_t longest_message = 1000;
 
 std::string cut(const std::string& message) {
-    return message.size() <= longest_message ? message : message.substr(0, longest_message) + "...";
+    return message.size() <= longest_message ? message : std::string(whole_characters(message, longest_message)) + "...";
 }
 
 bool is_rule(std::string_view line) { return line.starts_with("----") || line.starts_with("===="); }

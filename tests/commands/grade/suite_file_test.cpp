@@ -155,6 +155,36 @@ TEST_F(SuiteFile, NotesTestsThatCannotTellAnything) {
     EXPECT_THAT(notes_, HasSubstr("note: a program that prints nothing passes none: no text is expected\n"));
 }
 
+TEST_F(SuiteFile, NamesForgeNoLines) {
+    const std::string odd = "p1\033[31m\nraytrace: note: forged";
+    part(odd);
+    place_.write("suite/" + odd + "/two\n\033[2J.args", "x");
+    place_.write("suite/" + odd + "/two\n\033[2J.out", "1");
+    read("suite");
+    EXPECT_THAT(notes_, HasSubstr("note: test p1?[31m?raytrace: note: forged/gone is in the list but has no gone.args: left out\n"));
+    EXPECT_THAT(notes_, HasSubstr("suite/p1?[31m?raytrace: note: forged/tests.json but run, as not required: test7, two??[2J\n"));
+    EXPECT_EQ(notes_.find('\033'), notes_.npos);
+    for (const std::string path : {"none\033\n", ("suite/" + odd).c_str()}) try {
+            fs::remove("suite/" + odd + "/test1.out");
+            read(path);
+            FAIL();
+        } catch (const OptionError& error) {
+            EXPECT_EQ(std::string(error.what()).find_first_of("\033\n"), std::string::npos) << error.what();
+        }
+}
+
+TEST_F(SuiteFile, NamesOfTestsAreUtf8) {
+    part("p1");
+    place_.write("suite/p1/caf\xE9.args", "x");
+    place_.write("suite/p1/caf\xE9.out", "1");
+    try {
+        read("suite");
+        FAIL();
+    } catch (const OptionError& error) {
+        EXPECT_THAT(error.what(), EndsWith("suite/p1/caf?': its name is not UTF-8"));
+    }
+}
+
 TEST_F(SuiteFile, EveryMistakeHasItsPlace) {
     place_.write("a.txt", "");
     EXPECT_EQ(mistake("{\"format\": \"raytrace suite 2\"}"),
