@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/source.h"
+#include "core/utf8.h"
 #include "grading/child_process.h"
 #include "grading/control_group.h"
 #include "grading/descriptor.h"
@@ -42,8 +44,11 @@ std::string find_program(const std::string& name) {
 
 /// Why a run of `true` fails; empty if it does not.
 std::string trial(const Containment& containment) {
-    std::string folder = (fs::temp_directory_path() / "raytrace-trial-XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr) return fmt::format("{}: {}", folder, std::generic_category().message(errno));
+    std::error_code error;
+    std::string folder = (fs::temp_directory_path(error) / "raytrace-trial-XXXXXX").string();
+    if (error) throw OutputError(fmt::format("TMPDIR names no folder: {}", error.message()));
+    if (mkdtemp(folder.data()) == nullptr)
+        throw OutputError(fmt::format("cannot make the folder '{}': {}", one_line(folder), std::generic_category().message(errno)));
     Limits limits;
     limits.wall_seconds = 10.0;
     const Ending ending = run_contained({{"/usr/bin/true"}, folder, folder, {}, {}}, limits, containment, 0);

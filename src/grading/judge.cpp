@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "core/utf8.h"
 #include "grading/difference.h"
 #include "grading/neighbourhood.h"
 #include "grading/result_names.h"
@@ -14,7 +15,8 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t shown_output = 16384;  ///< as the course's graders keep
+constexpr std::size_t shown_output = 16384;                      ///< as the course's graders keep
+constexpr std::size_t longest_field = 200, longest_line = 1900;  ///< of what a program printed, where a result quotes it
 
 std::string signal_text(int signal) {
     const char* name = sigabbrev_np(signal);
@@ -44,8 +46,8 @@ Outcome outcome_of(const Ending& ending) {
 Result of_ending(const TestCase& test, const Ending& ending) {
     Result result;
     result.test = test.name, result.kind = test.kind, result.required = test.required, result.weight = test.weight;
-    result.status = ending.status, result.output = ending.output.substr(0, shown_output);
-    result.left_processes = ending.left_processes;
+    result.status = ending.status, result.output = whole_characters(ending.output, shown_output);
+    result.left_processes = ending.left_processes, result.busy_threads = ending.busy_threads;
     result.wall_seconds = ending.wall_seconds, result.cpu_seconds = ending.cpu_seconds;
     result.peak_memory_bytes = ending.peak_memory_bytes;
     result.outcome = outcome_of(ending), result.reason = ending_reason(ending, test.limits);
@@ -57,6 +59,13 @@ void find(Result& result, Outcome outcome, const std::string& reason) {
     if (result.outcome != Outcome::passed) return;
     result.outcome = outcome;
     result.reason = reason;
+}
+
+std::string quoted(const std::string& field) { return one_line(shortened(field, longest_field)); }
+
+void shorten(TextDifference& text) {
+    for (std::string* line : {&text.expected_line, &text.actual_line}) *line = shortened(*line, longest_line);
+    for (std::string* field : {&text.expected, &text.actual}) *field = shortened(*field, longest_field);
 }
 
 void compare_pictures(const TestCase& test, const StoredImage& expected, const StoredImage& actual, Result& result) {
@@ -88,7 +97,7 @@ std::string ending_reason(const Ending& ending, const Limits& limits) {
         case Ending::Kind::out_of_memory:
             return fmt::format("more than {} MiB of memory", limits.memory_bytes >> 20);
         case Ending::Kind::too_much_output:
-            return fmt::format("printed more than {} KiB", limits.output_bytes >> 10);
+            return ending.reason.empty() ? fmt::format("printed more than {} KiB", limits.output_bytes >> 10) : ending.reason;
         case Ending::Kind::not_started:
             break;
     }
@@ -136,7 +145,8 @@ Result judge_text(const TestCase& test, const Ending& ending, std::string_view e
              fmt::format("line {}: {}", d->line, d->actual_line.empty() ? "a line is missing" : "a line too many"));
     else if (d)
         find(result, Outcome::wrong_answer,
-             fmt::format("line {}, field {}: '{}', '{}' expected", d->line, d->field, d->actual, d->expected));
+             fmt::format("line {}, field {}: '{}', '{}' expected", d->line, d->field, quoted(d->actual), quoted(d->expected)));
+    if (result.text) shorten(*result.text);
     if (result.outcome == Outcome::passed) result.credit = 1.0;
     return result;
 }

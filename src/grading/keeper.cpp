@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "core/utf8.h"
 #include "grading/bubblewrap_room.h"
 #include "grading/child_process.h"
 #include "grading/program_start.h"
@@ -34,6 +35,21 @@ std::uint64_t bytes_of(const rusage& use) { return static_cast<std::uint64_t>(us
 pid_t parent_of(const std::string& stat) {
     const std::size_t name_end = stat.rfind(')');
     return name_end == std::string::npos || name_end + 4 > stat.size() ? 0 : std::atoi(stat.c_str() + name_end + 4);
+}
+
+/// Threads of a process that run or wait for a processor.
+int busy_threads_of(pid_t process) {
+    int busy = 0;
+    const std::string folder = fmt::format("/proc/{}/task", process);
+    DIR* threads = opendir(folder.c_str());
+    while (const dirent* entry = threads ? readdir(threads) : nullptr) {
+        std::string stat;
+        const Descriptor file(
+            std::atoi(entry->d_name) > 0 ? open(fmt::format("{}/{}/stat", folder, entry->d_name).c_str(), O_RDONLY | O_CLOEXEC) : -1);
+        if (file && read_some(file.get(), stat)) busy += stat.find(") R ") != std::string::npos;
+    }
+    if (threads) closedir(threads);
+    return busy;
 }
 
 /// Ids of all processes, with their parents'.
@@ -109,7 +125,7 @@ private:
         ProgramStart start;
         start.command = keeping_.run.command;
         start.home = keeping_.run.folder;
-        start.scratch = room_ ? "/tmp" : keeping_.run.folder;
+        start.scratch = !keeping_.run.scratch.empty() ? keeping_.run.scratch : room_ ? "/tmp" : keeping_.run.folder;
         start.working_folder = keeping_.run.working_folder;
         start.user = keeping_.user;
         start.entrances = keeping_.group.entrances();
@@ -152,6 +168,7 @@ private:
             }
             if (seconds_since(begin_) >= keeping_.limits.wall_seconds) {
                 exceed(Ending::Kind::time_out, fmt::format("more than {} seconds", keeping_.limits.wall_seconds));
+                ending_.busy_threads = busy_threads();
             }
         }
     }
@@ -193,11 +210,12 @@ private:
     void judge_output() {
         const std::uint64_t most = keeping_.limits.output_bytes;
         if (ending_.output.size() <= most) return;
-        ending_.output.resize(most);
+        ending_.output.resize(whole_characters(ending_.output, most).size());
         exceed(Ending::Kind::too_much_output, fmt::format("more than {} bytes on standard output and error", most));
     }
 
     void judge_folder() {
+        ending_.least_room_bytes = std::min(ending_.least_room_bytes, disk_room(folder_.get()));
         const std::uint64_t most = keeping_.limits.folder_bytes;
         if (folder_use(folder_.get(), most) <= most) return;
         exceed(Ending::Kind::too_much_output, fmt::format("more than {} bytes in its folder", most));
@@ -229,6 +247,19 @@ private:
             use_ = use;
         }
         return ended;
+    }
+
+    /// Of the run: in a room nothing else can be seen, without one we are an ancestor of all.
+    int busy_threads() const {
+        int busy = 0;
+        const std::map<pid_t, pid_t> all = parents();
+        for (const auto& [process, parent] : all) {
+            pid_t ancestor = parent;
+            for (auto outer = all.find(ancestor); !room_ && ancestor != getpid() && outer != all.end(); outer = all.find(ancestor))
+                ancestor = outer->second;
+            if (room_ || ancestor == getpid()) busy += busy_threads_of(process);
+        }
+        return busy;
     }
 
     /// Some child is still alive.

@@ -49,15 +49,16 @@ struct Result {
     std::string reason;   ///< one line in words; empty for a pass
     std::optional<PictureFigures> figures;
     std::optional<DifferingRegion> region;
-    std::optional<TextDifference> text;
-    std::string cause;        ///< what a wrong answer looks like, in two or three words; empty if nothing fits
-    std::string explanation;  ///< lines: what speaks for the cause, the pixel, the rays
-    std::string output;       ///< the first of what the program printed
+    std::optional<TextDifference> text;  ///< long lines and fields shortened
+    std::string cause;                   ///< what a wrong answer looks like, in two or three words; empty if nothing fits
+    std::string explanation;             ///< lines: what speaks for the cause, the pixel, the rays
+    std::string output;                  ///< the first of what the program printed
     bool left_processes = false;
     std::string picture;  ///< path of the picture that the program wrote, where it is kept; empty if there is none
 
     // Times: of the last run, for a timed test the median of its runs and how far they are apart.
-    bool alone = false;  ///< nothing of ours ran beside it
+    bool alone = false;    ///< nothing of ours ran beside it
+    int busy_threads = 0;  ///< of a time-out, at its end: see Ending
     double wall_seconds = 0.0, cpu_seconds = 0.0, spread_seconds = 0.0;
     std::uint64_t peak_memory_bytes = 0;
 };

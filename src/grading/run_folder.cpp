@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 
 #include <filesystem>
 #include <functional>
@@ -66,6 +67,13 @@ std::uint64_t folder_use(int folder, std::uint64_t enough) {
         return sum <= enough;
     });
     return sum;
+}
+
+std::uint64_t disk_room(int folder) {
+    struct statvfs disk {};
+    if (fstatvfs(folder, &disk) != 0 || disk.f_blocks == 0) return ~std::uint64_t{0};
+    const bool counts_files = disk.f_files > 0;
+    return counts_files && disk.f_favail == 0 ? 0 : std::uint64_t{disk.f_bavail} * disk.f_frsize;
 }
 
 TakenFile take_file(const std::string& folder, const std::string& name, std::uint64_t max_bytes) {

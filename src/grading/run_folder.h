@@ -17,6 +17,9 @@ void give_folder(const std::string& folder, uid_t user, gid_t group);
 /// What all in the folder takes on the disk, in bytes, entries counted as a block each; stops counting beyond `enough`.
 std::uint64_t folder_use(int folder, std::uint64_t enough);
 
+/// Bytes that the folder's disk has left for those who are not root; 0 if it has no room for another file, all ones if it does not say.
+std::uint64_t disk_room(int folder);
+
 /// A file that a run should have written: its bytes, or what there is instead.
 struct TakenFile {
     std::optional<std::string> bytes;

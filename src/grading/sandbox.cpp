@@ -46,14 +46,16 @@ private:
 /// The ending without its texts, as it goes through the pipe, followed by them.
 struct Record {
     Ending::Kind kind;
-    int status;
+    int status, busy_threads;
     bool left_processes;
     double wall_seconds, cpu_seconds;
-    std::uint64_t peak_memory_bytes, reason_size;
+    std::uint64_t peak_memory_bytes, least_room_bytes, reason_size;
 };
 
 void send(int to, const Ending& e) {
-    const Record record{e.kind, e.status, e.left_processes, e.wall_seconds, e.cpu_seconds, e.peak_memory_bytes, e.reason.size()};
+    const Record record{e.kind,         e.status,      e.busy_threads,      e.left_processes,
+                        e.wall_seconds, e.cpu_seconds, e.peak_memory_bytes, e.least_room_bytes,
+                        e.reason.size()};
     const std::string text = std::string(reinterpret_cast<const char*>(&record), sizeof record) + e.reason + e.output;
     write_all(to, text.data(), text.size());
 }
@@ -64,10 +66,12 @@ std::optional<Ending> received(const std::string& text) {
     std::memcpy(&record, text.data(), sizeof record);
     Ending ending{record.kind, record.status, text.substr(sizeof record, record.reason_size),
                   text.substr(sizeof record + record.reason_size)};
+    ending.busy_threads = record.busy_threads;
     ending.left_processes = record.left_processes;
     ending.wall_seconds = record.wall_seconds;
     ending.cpu_seconds = record.cpu_seconds;
     ending.peak_memory_bytes = record.peak_memory_bytes;
+    ending.least_room_bytes = record.least_room_bytes;
     return ending;
 }
 

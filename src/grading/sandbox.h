@@ -30,6 +30,7 @@ struct ContainedRun {
     std::string working_folder;         ///< absolute; `folder`, one in it, or one that it can read
     std::vector<std::string> readable;  ///< absolute paths of files and folders
     std::vector<std::string> hidden;    ///< absolute paths that are empty for it even if they lie in a readable folder
+    std::string scratch{};              ///< absolute, in `folder`: what TMPDIR says; empty: /tmp, or `folder` where that is everybody's
 };
 
 struct Ending {
@@ -41,9 +42,12 @@ struct Ending {
     bool left_processes = false;  ///< some were still there when the program had ended; they are no more
     double wall_seconds = 0.0, cpu_seconds = 0.0;
     std::uint64_t peak_memory_bytes = 0;  ///< of all its processes where memory is a control group's, else of the largest; 0: not known
+    int busy_threads = 0;                 ///< of `time_out`: those that ran or waited for a processor when the time was over
+    std::uint64_t least_room_bytes = ~std::uint64_t{0};  ///< that its folder's disk had left, seen four times a second and at its end
 };
 
-/// What this machine lets us contain. Found out once by trying; never guessed from a name or a version.
+/// What this machine lets us contain. Found out once by trying; never guessed from a name or a version. Throws OutputError if there is no
+/// folder to try it in: a full disk says nothing of what could be contained.
 struct Containment {
     std::string bubblewrap;                ///< path of the program; empty: none that works here
     std::string bubblewrap_problem;        ///< why there is none

@@ -9,6 +9,8 @@
 #include <csignal>
 #include <vector>
 
+#include "core/source.h"
+#include "core/utf8.h"
 #include "grading/child_process.h"
 #include "grading/descriptor.h"
 
@@ -16,7 +18,7 @@ namespace rt {
 
 namespace {
 
-constexpr int status_done = 0, status_thrown = 1;
+constexpr int status_done = 0, status_thrown = 1, status_not_written = 2;
 constexpr std::size_t most_told = 4096;  ///< bytes that a pipe always has room for
 
 /// A job's process. It holds the other end of the pipe, which closes when it ends.
@@ -33,15 +35,19 @@ int carry_out(const std::function<void()>& work, pid_t parent, const Descriptor&
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) return status_thrown;
     std::string problem = "an unknown exception";
+    int status = status_thrown;
     try {
         work();
         return status_done;
+    } catch (const OutputError& error) {
+        problem = error.what(), status = status_not_written;
     } catch (const std::exception& error) {
         problem = error.what();
     } catch (...) {
     }
-    write_all(pipe.get(), problem.data(), std::min(problem.size(), most_told));
-    return status_thrown;
+    const std::string_view told = whole_characters(problem, most_told);
+    write_all(pipe.get(), told.data(), told.size());
+    return status;
 }
 
 Worker start(std::size_t job, int slot, const std::function<void(std::size_t, int)>& work) {
@@ -58,7 +64,8 @@ WorkerEnd wait_for(Worker& worker) {
     std::string problem;
     read_some(worker.pipe.get(), problem);
     worker = {};
-    return {WIFEXITED(status) && WEXITSTATUS(status) == status_done, WIFSIGNALED(status) ? WTERMSIG(status) : 0, problem};
+    const int exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return {exit_status == status_done, WIFSIGNALED(status) ? WTERMSIG(status) : 0, exit_status == status_not_written, problem};
 }
 
 /// Waits until one of them ends or a fifth of a second has passed. Returns the slots that ended.

@@ -10,9 +10,10 @@ namespace rt {
 
 /// How a job's process ended.
 struct WorkerEnd {
-    bool done = false;    ///< its work returned
-    int signal = 0;       ///< that ended it; 0 if none did
-    std::string problem;  ///< what its work threw
+    bool done = false;         ///< its work returned
+    int signal = 0;            ///< that ended it; 0 if none did
+    bool not_written = false;  ///< what its work threw was an OutputError
+    std::string problem;       ///< what its work threw
 };
 
 /// What is done for each job. `begin`, `done` and `idle` may be empty.

@@ -46,6 +46,8 @@ TEST(Judge, PassesAtTheLimitAndFailsBeyond) {
 }
 
 TEST(Judge, TheEndingComesFirst) {
+    Ending file_too_large = ended(Ending::Kind::too_much_output);
+    file_too_large.reason = "a file of more than 7 bytes";
     const struct {
         Ending ending;
         Outcome outcome;
@@ -54,7 +56,8 @@ TEST(Judge, TheEndingComesFirst) {
                  {ended(Ending::Kind::signalled, SIGSEGV), Outcome::signal, "ended by SIGSEGV (Segmentation fault)"},
                  {ended(Ending::Kind::time_out), Outcome::time_out, "not done within 60 s"},
                  {ended(Ending::Kind::out_of_memory), Outcome::out_of_memory, "more than 4096 MiB of memory"},
-                 {ended(Ending::Kind::too_much_output), Outcome::too_much_output, "printed more than 1024 KiB"}};
+                 {ended(Ending::Kind::too_much_output), Outcome::too_much_output, "printed more than 1024 KiB"},
+                 {file_too_large, Outcome::too_much_output, "a file of more than 7 bytes"}};
     for (const auto& [ending, outcome, reason] : cases) {
         const Result result = judged(ending, grey(100));  // the right picture does not help
         EXPECT_EQ(result.outcome, outcome);
@@ -142,6 +145,23 @@ TEST(Judge, ShownPicturesAreNotJudged) {
     EXPECT_EQ(judge_shown(test, ended(Ending::Kind::exited), {Written::State::picture, "", grey(1)}).outcome, Outcome::shown);
     EXPECT_EQ(judge_shown(test, ended(Ending::Kind::exited), {}).outcome, Outcome::no_output);
     EXPECT_EQ(judge_shown(test, ended(Ending::Kind::exited, 1), {Written::State::picture, "", grey(1)}).outcome, Outcome::non_zero_exit);
+}
+
+TEST(Judge, WhatIsKeptOfATextEndsWithAWholeCharacter) {
+    TestCase test;
+    test.kind = TestCase::Kind::text;
+    const std::string printed = std::string(16383, 'x') + "\xC3\xA4z";
+    EXPECT_EQ(judge_text(test, ended(Ending::Kind::exited, 0, printed), "y").output, std::string(16383, 'x'));
+}
+
+TEST(Judge, QuotesNoLongAndNoStrangeFields) {
+    TestCase test;
+    test.kind = TestCase::Kind::text;
+    const std::string field = "\033[2J" + std::string(196, 'x') + std::string(2000, 'z');
+    const Result result = judge_text(test, ended(Ending::Kind::exited, 0, "T = " + field), "T = 1");
+    EXPECT_EQ(result.reason, "line 1, field 3: '?[2J" + std::string(196, 'x') + "… (2000 bytes more)', '1' expected");
+    EXPECT_EQ(result.text->actual, field.substr(0, 200) + "… (2000 bytes more)");
+    EXPECT_EQ(result.text->actual_line, ("T = " + field).substr(0, 1900) + "… (304 bytes more)");
 }
 
 }  // namespace

@@ -90,8 +90,9 @@ inline Ending run_as(uid_t user, const ContainedRun& run, const Limits& limits, 
         if (setgroups(0, nullptr) != 0 || setresgid(user, user, user) != 0 || setresuid(user, user, user) != 0) _exit(1);
         prctl(PR_SET_DUMPABLE, 1);  // as it is after a login
         const Ending e = run_contained(run, limits, containment, 0);
-        const std::string text = fmt::format("{} {} {} {} {} {} {} {}{}", static_cast<int>(e.kind), e.status, int{e.left_processes},
-                                             e.wall_seconds, e.cpu_seconds, e.peak_memory_bytes, e.reason.size(), e.reason, e.output);
+        const std::string text =
+            fmt::format("{} {} {} {} {} {} {} {} {} {}{}", static_cast<int>(e.kind), e.status, int{e.left_processes}, e.busy_threads,
+                        e.wall_seconds, e.cpu_seconds, e.peak_memory_bytes, e.least_room_bytes, e.reason.size(), e.reason, e.output);
         for (std::size_t done = 0; done < text.size();)
             done += static_cast<std::size_t>(write(ends[1], text.data() + done, text.size() - done));
         _exit(0);
@@ -106,8 +107,8 @@ inline Ending run_as(uid_t user, const ContainedRun& run, const Limits& limits, 
     Ending ending;
     int kind = 0;
     std::size_t reason_size = 0;
-    words >> kind >> ending.status >> ending.left_processes >> ending.wall_seconds >> ending.cpu_seconds >> ending.peak_memory_bytes >>
-        reason_size;
+    words >> kind >> ending.status >> ending.left_processes >> ending.busy_threads >> ending.wall_seconds >> ending.cpu_seconds >>
+        ending.peak_memory_bytes >> ending.least_room_bytes >> reason_size;
     const std::size_t at = static_cast<std::size_t>(words.tellg()) + 1;
     ending.kind = static_cast<Ending::Kind>(kind);
     ending.reason = text.substr(at, reason_size);

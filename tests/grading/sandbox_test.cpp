@@ -109,6 +109,16 @@ TEST_P(Sandbox, WhatWasWrittenBeforeACrashIsThere) {
     EXPECT_EQ(status.st_uid, GetParam().root ? geteuid() : somebody);
 }
 
+TEST_P(Sandbox, ItsScratchIsInItsFolderIfAskedFor) {
+    ContainedRun with_scratch = place_.shell("echo $TMPDIR; echo x > $TMPDIR/file");
+    with_scratch.scratch = place_.folder + "/scratch";
+    std::filesystem::create_directory(with_scratch.scratch);
+    std::filesystem::permissions(with_scratch.scratch, std::filesystem::perms::all);
+    EXPECT_EQ(run(with_scratch).output, with_scratch.scratch + "\n");
+    EXPECT_TRUE(std::filesystem::exists(with_scratch.scratch + "/file"));
+    EXPECT_EQ(run(place_.shell("echo $TMPDIR")).output, (has_room() ? "/tmp" : place_.folder) + "\n");
+}
+
 TEST_P(Sandbox, TimeEnds) {
     Limits limits = short_limits();
     limits.wall_seconds = 0.3;
@@ -120,7 +130,11 @@ TEST_P(Sandbox, TimeEnds) {
         EXPECT_GE(ending.wall_seconds, 0.3);
         EXPECT_EQ(processes_with(marker), 0) << deed;
         EXPECT_TRUE(ending.cpu_seconds > 0.01 || deed != std::string("busy")) << ending.cpu_seconds;
+        EXPECT_EQ(ending.busy_threads, deed == std::string("busy") ? 1 : 0) << deed;
     }
+    limits.wall_seconds = 1.0;
+    const Ending three = run(place_.shell("for i in 1 2 3; do (while :; do :; done) & done; wait"), limits);
+    EXPECT_GE(three.busy_threads, 2);
 }
 
 TEST_P(Sandbox, NoProcessOutlivesTheProgram) {
@@ -156,12 +170,16 @@ TEST_P(Sandbox, EndlessOutputIsCut) {
     EXPECT_EQ(ending.output.size(), short_limits().output_bytes);
     EXPECT_EQ(described(run(place_.shell("head -c 100001 /dev/zero"))), "too much output");
     EXPECT_EQ(described(run(place_.shell("head -c 100000 /dev/zero"))), "exited 0");
+    const Ending in_a_character = run(place_.shell("head -c 99999 /dev/zero; printf '\\303\\244'"));
+    EXPECT_EQ(described(in_a_character), "too much output");
+    EXPECT_EQ(in_a_character.output.size(), 99999u);
 }
 
 TEST_P(Sandbox, FilesHaveABound) {
     EXPECT_EQ(described(run(place_.deed({"endless-file", "picture"}))), "too much output");
     EXPECT_EQ(std::filesystem::file_size(place_.folder + "/picture"), short_limits().file_bytes);
     const Ending filled = run(place_.deed({"fill", "."}));
+    EXPECT_LE(filled.least_room_bytes, std::filesystem::space(place_.folder).capacity) << "what the disk had left is told";
     EXPECT_EQ(described(filled), "too much output");
     EXPECT_THAT(filled.reason, HasSubstr("in its folder"));
 }

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "core/source.h"
 #include "grading/workers.h"
 
 namespace rt {
@@ -65,6 +66,20 @@ TEST(Workers, WhatEndsOneLeavesTheOthers) {
     EXPECT_EQ(ends.at(2).signal, SIGKILL);
 }
 
+TEST(Workers, WhatCannotBeWrittenIsToldApart) {
+    std::map<std::size_t, WorkerEnd> ends;
+    JobCalls calls;
+    calls.work = [](std::size_t job, int) {
+        if (job == 0) throw OutputError("no room");
+        throw OptionError("no such file");
+    };
+    calls.done = [&](std::size_t job, const WorkerEnd& end) { ends[job] = end; };
+    run_jobs(2, 2, calls, never);
+    EXPECT_TRUE(ends.at(0).not_written);
+    EXPECT_EQ(ends.at(0).problem, "no room");
+    EXPECT_FALSE(ends.at(0).done || ends.at(1).done || ends.at(1).not_written);
+}
+
 TEST(Workers, StopEndsWhatRuns) {
     std::atomic<bool> stop{false};
     std::size_t done = 0;
@@ -76,6 +91,15 @@ TEST(Workers, StopEndsWhatRuns) {
     calls.idle = [&] { stop = true; };
     run_jobs(10, 2, calls, stop);
     EXPECT_EQ(done, 0u);
+}
+
+TEST(Workers, ALongComplaintEndsWithAWholeCharacter) {
+    WorkerEnd told;
+    JobCalls calls;
+    calls.work = [](std::size_t, int) { throw std::runtime_error(std::string(4095, 'x') + "\xC3\xA4"); };
+    calls.done = [&](std::size_t, const WorkerEnd& end) { told = end; };
+    run_jobs(1, 1, calls, never);
+    EXPECT_EQ(told.problem, std::string(4095, 'x'));
 }
 
 }  // namespace
