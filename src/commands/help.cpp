@@ -42,7 +42,8 @@ const char* const grade_footer =
     R"(SUITE: a folder as the course lays it out, or a suite file (help suite). Known
 results are not run again: an interrupted grading goes on where it was. A wrong
 answer has its usual cause in the table, what speaks for it in results.json.
-Exit status: 0, or 1 if one program is graded and a required test failed.)";
+Exit status: 0, or 1 if one program is graded and a required test failed;
+2 interrupted, with all reports; 3 not all could be judged or written.)";
 const char* const merge_usage = "Usage: raytrace merge [OPTION...] DIR...\nJoins the results of a grading's shards: DIR are their outputs.";
 const char* const merge_footer = R"(Results stand in the order of one run; reports are the same bytes. Shards that
 are not all of one grading are refused.

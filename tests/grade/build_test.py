@@ -6,10 +6,15 @@ usage: tests/grade/build_test.py PROGRAM
 import json
 import os
 import pathlib
+import pty
+import re
+import select
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -19,6 +24,28 @@ PROGRAM = os.path.abspath(sys.argv.pop(1))
 SOURCE = '#include <cstdio>\nint main() { std::puts("T = 1.0000"); }\n'
 CMAKE = "cmake_minimum_required(VERSION 3.10)\nproject(mine CXX)\nadd_executable(raytrace main.cpp)\n"
 MAKE = "raytrace: main.cpp\n\tg++ -o raytrace main.cpp\n"
+PATIENCE = 120  # seconds, for what comes at once or never
+MARK = f"built-{os.getpid()}"  # in the command line of builds that never end by themselves
+
+
+def endless(number):
+    return f"raytrace:\n\tsh -c 'while :; do sleep 1; done # {MARK}-{number}.'\n"
+
+
+def script(text):
+    """A makefile whose program prints a text that is a shell's word when it is built."""
+    return f"raytrace:\n\tprintf '#!/bin/sh\\necho %s\\n' {text} > raytrace; chmod +x raytrace\n"
+
+
+def marked():
+    """Numbers of the endless builds that run."""
+    numbers = set()
+    for process in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            numbers.update(re.findall(MARK + r"-(\d+)\.", (process / "cmdline").read_bytes().decode(errors="replace")))
+        except (FileNotFoundError, ProcessLookupError):
+            pass
+    return numbers
 
 
 class Build(unittest.TestCase):
@@ -107,6 +134,145 @@ class Build(unittest.TestCase):
         self.assertEqual(outcome.stat().st_mtime_ns, moment)
         harness.grade(PROGRAM, self.suite, self.place / "out", "--submissions", self.homework, "--fresh", check=0)
         self.assertNotEqual(outcome.stat().st_mtime_ns, moment)
+
+    def started(self, *words, **options):
+        scratch = self.place / "scratch"
+        scratch.mkdir(exist_ok=True)
+        return subprocess.Popen([PROGRAM, "grade", self.suite, "--submissions", self.homework, "-o", self.place / "out", *words],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "TMPDIR": str(scratch)}, **options)
+
+    def await_builds(self, run, numbers):
+        end = time.monotonic() + PATIENCE
+        while marked() != numbers:
+            self.assertIsNone(run.poll(), "it has ended")
+            self.assertLess(time.monotonic(), end, f"builds {marked()} run, {numbers} expected")
+
+    def test_as_many_builds_at_a_time_as_jobs_and_an_interruption_reports_what_is_known(self):
+        self.submit("a", {"Makefile": script("'T = 1.0000'")})
+        self.outcomes()
+        for number in range(3):
+            self.submit(f"b{number}", {"Makefile": endless(number)})
+        run = self.started("-j", "2")
+        try:
+            self.await_builds(run, {"0", "1"})
+            run.send_signal(signal.SIGINT)
+            out, err = run.communicate()
+        finally:
+            run.kill()
+        self.assertEqual(run.returncode, 2, err)
+        self.assertEqual(marked(), set(), "a build that was interrupted is left")
+        results = {name: result for (name, _), result in harness.read_results(self.place / "out").items()}
+        self.assertEqual(results["a"]["outcome"], "passed")
+        for number in range(3):
+            self.assertEqual(results[f"b{number}"]["outcome"], "not run")
+            self.assertEqual(results[f"b{number}"]["reason"], "the grading was interrupted before")
+        self.assertIn("b2 ", out)
+        self.assertTrue((self.place / "out" / "junit.xml").exists())
+
+        for number in range(3):  # what was half built is built from the start
+            self.submit(f"b{number}", {"Makefile": script("'T = 1.0000'")})
+        _, results = self.outcomes()
+        self.assertEqual({result["outcome"] for result in results.values()}, {"passed"})
+
+    def test_one_submission_alone_is_interrupted_with_a_report(self):
+        self.submit("b0", {"Makefile": endless(0)})
+        run = subprocess.Popen([PROGRAM, "grade", self.suite, "--exe", self.homework / "b0", "-o", self.place / "out", "-q"],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            self.await_builds(run, {"0"})
+            run.send_signal(signal.SIGTERM)
+            out, err = run.communicate()
+        finally:
+            run.kill()
+        self.assertEqual((run.returncode, out, err), (2, "", ""))
+        self.assertEqual(harness.read_results(self.place / "out")["b0", "t"]["outcome"], "not run")
+
+    def test_a_terminal_shows_how_far_builds_are(self):
+        self.submit("a", {"Makefile": script("'T = 1.0000'")})
+        self.outcomes()
+        self.submit("b", {"Makefile": script("'T =  1.0000'")})
+        self.submit("z0", {"Makefile": endless(0)})
+        process, terminal = pty.fork()
+        if process == 0:
+            os.execv(PROGRAM, [PROGRAM, "grade", str(self.suite), "--submissions", str(self.homework), "-o", str(self.place / "out"), "-j", "1"])
+        text, interrupted = "", False
+        try:
+            while select.select([terminal], [], [], PATIENCE)[0]:
+                try:
+                    text += os.read(terminal, 65536).decode()
+                except OSError:
+                    break
+                if not interrupted and re.search(r" 2/3 builds \(1 known\)  \d+\.\d builds/s  \d:\d\d:\d\d left", text):
+                    os.kill(process, signal.SIGINT)
+                    interrupted = True
+        finally:
+            os.close(terminal)  # which ends what is still there
+            _, status = os.waitpid(process, 0)
+        self.assertTrue(interrupted, text)
+        self.assertEqual(os.waitstatus_to_exitcode(status), 2)
+
+    def test_a_shard_builds_what_it_has_tests_of(self):
+        for name in "abcd":
+            self.submit(name, {"Makefile": script("'T = 1.0000'")})
+        harness.grade(PROGRAM, self.suite, self.place / "out", "--submissions", self.homework, "--shard", "2/4", check=0)
+        self.assertEqual([path.name[0] for path in (self.place / "out" / "builds").glob("*.outcome")], ["b"])
+
+    def test_shards_that_share_a_folder_build_each_submission_once(self):
+        answers = [{"name": name, "kind": "text", "command": "x", "expected": "answers/t.out"} for name in ("t", "u")]
+        self.suite.write_text(json.dumps({"format": "raytrace suite 1", "inputs": "inputs", "tests": answers}))
+        for name in "abcd":
+            self.submit(name, {"Makefile": script("$$(od -An -N8 -tx8 /dev/urandom)")})
+        scratch = self.place / "scratch"
+        scratch.mkdir()
+        runs = [subprocess.Popen([PROGRAM, "grade", self.suite, "--submissions", self.homework, "--builds", self.place / "builds", "-j", "1",
+                                  "--shard", f"{shard}/2", "-o", self.place / f"part{shard}"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                 env={**os.environ, "TMPDIR": str(scratch)}) for shard in (1, 2)]
+        for run in runs:
+            _, err = run.communicate()
+            self.assertEqual(run.returncode, 0, err)
+        printed = {}
+        for shard in (1, 2):
+            for (name, _), result in harness.read_results(self.place / f"part{shard}").items():
+                printed.setdefault(name, []).append(result["output"])
+        self.assertEqual({name: len(texts) for name, texts in printed.items()}, dict.fromkeys("abcd", 2))
+        for name, (first, second) in printed.items():
+            self.assertEqual(first, second, f"{name} was built twice")
+        self.assertFalse((self.place / "part1" / "builds").exists())
+
+    def test_fresh_builds_cannot_be_shared(self):
+        self.submit("a", {"Makefile": script("'T = 1.0000'")})
+        run = self.started("--fresh", "--builds", self.place / "builds")
+        _, err = run.communicate()
+        self.assertEqual((run.returncode, err), (1, "raytrace: --fresh builds again what others that share --builds may be running; give one of them\n"))
+
+    def test_names_forge_nothing(self):
+        """Folders whose names hold control characters, ends of lines, other encodings, what make and cmake take amiss."""
+        odd = "x\033[2J\nraytrace: forged\u0085$(HOME) #;é"
+        self.submit(odd, {"Makefile": MAKE, "main.cpp": "int main() { return x; }\n"})
+        self.submit("cmake $#;'" + odd, {"CMakeLists.txt": CMAKE, "main.cpp": SOURCE})
+        os.mkdir(os.fsencode(self.homework) + b"/\xff")
+        os.mkdir(os.fsencode(self.homework) + b"/\xfe")
+        run, results = self.outcomes()
+        self.assertNotIn("\033", run.stdout + run.stderr)
+        self.assertNotIn("\u0085", run.stdout + run.stderr)
+        self.assertEqual([line for line in (run.stdout + run.stderr).splitlines() if line.startswith("raytrace: forged")], [])
+        self.assertEqual(results["cmake $#;'" + odd]["outcome"], "passed", results)
+        self.assertEqual(sorted(results), sorted([odd, "cmake $#;'" + odd, "\ufffd", "\ufffd-2"]))
+        self.assertIn("raytrace: x?[2J?raytrace: forged?$(HOME) #;é: build failed: ", run.stderr)
+        alone = subprocess.run([PROGRAM, "grade", self.suite, "--exe", self.homework / odd, "-o", self.place / "one"], capture_output=True, text=True)
+        self.assertEqual(alone.returncode, 1)
+        self.assertIn("raytrace: x?[2J?raytrace: forged?$(HOME) #;é: build failed: ", alone.stderr)
+        self.assertNotIn("\033", alone.stderr)
+
+    def test_programs_of_one_name_are_told_apart(self):
+        for folder in ("1", "2", "3"):
+            self.submit(f"{folder}/x", {"raytrace": f"#!/bin/sh\necho 'T = {folder}.0000'\n"})
+            (self.homework / folder / "x" / "raytrace").chmod(0o755)
+        shutil.copytree(self.homework / "3" / "x", self.homework / "3" / "x-2")
+        words = [word for folder in ("1/x", "2/x", "3/x", "3/x-2") for word in ("--exe", self.homework / folder)]
+        _, results = harness.grade(PROGRAM, self.suite, self.place / "out", *words, check=0)
+        self.assertEqual({name: result["output"].split()[2][0] for (name, _), result in results.items()},
+                         {"x": "1", "x-3": "2", "x-4": "3", "x-2": "3"})
 
     def test_a_broken_answer_is_not_the_programs_fault(self):
         (self.place / "answers" / "p.png").write_text("no picture")

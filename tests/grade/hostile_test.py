@@ -5,6 +5,7 @@ usage: tests/grade/hostile_test.py PROGRAM [FAULTY]
 
 FAULTY is the program whose mistakes can be selected by RAYTRACE_FAULT.
 """
+import json
 import os
 import pathlib
 import shutil
@@ -115,6 +116,40 @@ class Hostile(unittest.TestCase):
             result = results["shadowless", name]
             self.assertEqual(result["outcome"], "wrong answer")
             self.assertEqual(result.get("cause"), "missing shadows", result.get("explanation"))
+
+    def test_what_is_said_of_a_picture_is_kept_with_it(self):
+        """Whatever program wrote it: what is kept is changed by hand, to be known again."""
+        out = self.place / "out" / "kept"
+        programs = [harness.make_program(PROGRAM, self.place / "programs" / f"kept{i}",
+                                         picture_then(f"/usr/bin/convert output.png -flop -set comment 'file {i}' output.png")).parent for i in range(3)]
+        words = ("--only", "plain", "--exe")
+        _, results = harness.grade(PROGRAM, self.suite, out, *words, programs[0], check=1)
+        self.assertEqual(results["kept0", "plain"]["cause"], "mirrored")
+        (entry,) = (out / "known").glob("cause-*/cause.json")
+        kept = json.loads(entry.read_text())
+        self.assertEqual(kept, {name: results["kept0", "plain"][name] for name in ("cause", "explanation")})
+        entry.write_text(json.dumps({"cause": "kept", "explanation": "by hand"}))
+        _, results = harness.grade(PROGRAM, self.suite, out, *words, programs[1], check=1)
+        self.assertEqual((results["kept1", "plain"]["cause"], results["kept1", "plain"]["explanation"]), ("kept", "by hand"))
+        _, results = harness.grade(PROGRAM, self.suite, out, *words, programs[1], "--fresh", check=1)
+        self.assertEqual(results["kept1", "plain"]["cause"], "mirrored")
+        for broken in ("", "{}", '{"cause": 1, "explanation": ""}'):
+            entry.write_text(broken)
+            harness.grade(PROGRAM, self.suite, out, *words, programs[2], "--fresh", check=1)
+            entry.write_text(broken)
+            shutil.rmtree(next(path.parent for path in (out / "known").glob("*/result.json") if '"kept2"' in path.read_text()))
+            _, results = harness.grade(PROGRAM, self.suite, out, *words, programs[2], check=1)
+            self.assertEqual(results["kept2", "plain"]["cause"], "mirrored", broken)
+
+    def test_what_is_said_of_a_picture_depends_on_the_other_answers(self):
+        suite = harness.make_suite(PROGRAM, self.place / "others", **{"pass": [{"metric": "rmse", "at_most": 0.001}]})
+        out = self.place / "out" / "others"
+        path = harness.make_program(PROGRAM, self.place / "programs" / "others", picture_then("/usr/bin/convert output.png -flop output.png"))
+        harness.grade(PROGRAM, suite, out, "--only", "plain", "--exe", path.parent, check=1)
+        self.assertEqual(len(list((out / "known").glob("cause-*"))), 1)
+        shutil.copy(suite.parent / "answers" / "plain.png", suite.parent / "answers" / "smooth.png")
+        harness.grade(PROGRAM, suite, out, "--only", "plain", "--exe", path.parent, "--fresh", check=1)
+        self.assertEqual(len(list((out / "known").glob("cause-*"))), 2)
 
     def test_writes_nowhere_else(self):
         if self.holes:

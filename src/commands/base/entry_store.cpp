@@ -13,6 +13,7 @@
 
 #include "commands/base/write_bytes.h"
 #include "core/source.h"
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -32,12 +33,20 @@ bool is_alive(const std::string& process) {
     return id > 0 && kill(id, 0) == 0;
 }
 
+/// Of a folder, at the end of its life.
+struct Removal {
+    fs::path folder;
+    ~Removal() {
+        std::error_code none;
+        fs::remove_all(folder, none);
+    }
+};
+
 }  // namespace
 
 EntryStore::EntryStore(std::string folder) : folder_(std::move(folder)) {
+    make_folder(folder_);
     std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", folder_, error.message()));
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
         const std::string name = entry.path().filename().string();
         const std::string mark = unfinished_by("");
@@ -50,15 +59,14 @@ void EntryStore::put(const std::string& key, const std::vector<std::pair<std::st
     const fs::path place = fs::path(folder_) / key, beside = place.string() + unfinished_by(std::to_string(getpid()));
     std::error_code error;
     fs::remove_all(beside, error);
-    fs::create_directories(beside, error);
-    if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", beside.string(), error.message()));
+    const Removal whatever_is_left{beside};
+    make_folder(beside.string());
     for (const auto& [name, bytes] : files) write_bytes((beside / name).string(), bytes);
     fs::rename(beside, place, error);
     if (!error) return;
     // There is one already: they change places in one step, so that whoever looks finds one of them whole.
     const bool exchanged = renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0;
-    if (!exchanged) throw OutputError(fmt::format("cannot write '{}': {}", place.string(), std::strerror(errno)));
-    fs::remove_all(beside, error);
+    if (!exchanged) throw OutputError(fmt::format("cannot write '{}': {}", one_line(place.string()), std::strerror(errno)));
 }
 
 std::string EntryStore::path(const std::string& key, const std::string& name) const {

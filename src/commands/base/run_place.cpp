@@ -6,10 +6,14 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string_view>
 
 #include "core/source.h"
+#include "core/utf8.h"
+#include "grading/descriptor.h"
+#include "grading/run_folder.h"
 
 namespace rt {
 
@@ -19,10 +23,27 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = "raytrace-run-";  ///< behind it the parent's number
 
+std::string temporary_folder() {
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error) throw OutputError(fmt::format("TMPDIR names no folder: {}", error.message()));
+    return folder.string();
+}
+
 }  // namespace
 
-RunPlace::RunPlace() : folder_((fs::temp_directory_path() / fmt::format("{}{}-XXXXXX", prefix, getppid())).string()) {
-    if (!mkdtemp(folder_.data())) throw OutputError(fmt::format("cannot make a folder in '{}'", fs::temp_directory_path().string()));
+void expect_room(const std::string& folder) {
+    const Descriptor place(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (place && disk_room(place.get()) < least_room)
+        throw OutputError(fmt::format("the disk of '{}' is full, or nearly so: runs need {} MiB", one_line(folder), least_room >> 20));
+}
+
+RunPlace::RunPlace() {
+    const std::string folder = temporary_folder();
+    expect_room(folder);
+    folder_ = (fs::path(folder) / fmt::format("{}{}-XXXXXX", prefix, getppid())).string();
+    if (!mkdtemp(folder_.data()))
+        throw OutputError(fmt::format("cannot make a folder in '{}': {}", one_line(folder), std::strerror(errno)));
 }
 
 RunPlace::~RunPlace() {

@@ -48,13 +48,14 @@ std::optional<ToldPixel> told(const std::string& text) {
 
 }  // namespace
 
+std::string rays_told(const TestCase& test, const Result& result, const RunAgain& run_again) {
+    if (!result.region) return {};
+    const std::vector<std::string> words = printrays_arguments(test.arguments, result.region->x, result.region->y);
+    return words.empty() ? std::string() : run_again(words);
+}
+
 void explain_picture(const Suite& suite, const TestCase& test, const StoredImage& expected, const StoredImage& actual,
-                     const RunAgain& run_again, Result& result) {
-    // Before anything is traced: what runs programs has one thread.
-    std::string printed;
-    if (result.region)
-        if (const std::vector<std::string> words = printrays_arguments(test.arguments, result.region->x, result.region->y); !words.empty())
-            printed = run_again(words);
+                     const std::string& printed, Result& result) {
     Verdicts verdicts = cause_of(suite, test, expected, actual);
     result.cause = std::move(verdicts.cause);
     std::vector<std::string> lines = std::move(verdicts.lines);

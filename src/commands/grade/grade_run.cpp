@@ -25,17 +25,17 @@ public:
     }
 
     /// What needs no run. Returns the others, of those that are the same only the first.
-    std::vector<std::size_t> take_known(bool fresh) {
+    std::vector<std::size_t> take_known() {
         std::vector<std::size_t> others;
         std::map<std::string, std::size_t> firsts;
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
             const auto& [submission, test] = tasks_[i];
             if (submission->program.empty())
                 results_[i] = result_without_program(*submission, *test);
-            else if (!fresh)
+            else if (!grading_.fresh)
                 results_[i] = from_store(i);
             // Whether it was slow or had no room is not known: it was interrupted before it could be run alone.
-            if (results_[i] && results_[i]->outcome == Outcome::time_out && !results_[i]->alone && may_have_waited(i)) results_[i].reset();
+            if (was_late_beside_others(i)) results_[i].reset();
             if (results_[i])
                 ++progress_.done, ++progress_.taken;
             else if (const auto [first, is_new] = firsts.emplace(key_of(grading_, *submission, *test), i); is_new)
@@ -46,11 +46,11 @@ public:
         return others;
     }
 
-    void run(const std::vector<std::size_t>& chosen, int parallel) {
+    void run(const std::vector<std::size_t>& chosen, int parallel, Turn::Kind kind) {
         if (chosen.empty() || stop_) return;
         const auto work = [&](std::size_t job, int slot) {
             const GradeTask& task = tasks_[chosen[job]];
-            run_test(grading_, *task.submission, *task.test, store_, slot, parallel == 1);
+            run_test(grading_, *task.submission, *task.test, store_, slot, kind);
         };
         const auto begin = [&](std::size_t job) { started_[chosen[job]] = Clock::now(); };
         const auto done = [&](std::size_t job, const WorkerEnd& end) { finish(chosen[job], end); };
@@ -63,7 +63,7 @@ public:
     std::vector<std::size_t> late_ones(const std::vector<std::size_t>& chosen) const {
         std::vector<std::size_t> late;
         for (const std::size_t i : chosen)
-            if (results_[i] && results_[i]->outcome == Outcome::time_out && may_have_waited(i)) late.push_back(i);
+            if (was_late_beside_others(i)) late.push_back(i);
         return late;
     }
     /// What is known of them stays, should nothing new come of it.
@@ -71,17 +71,18 @@ public:
         for (const std::size_t i : chosen) left_.expect(tasks_[i].test->name), progress_.done -= 1 + followers_[i].size();
     }
 
-    std::vector<Result> results() {
-        std::vector<Result> all;
-        for (std::size_t i = 0; i < tasks_.size(); ++i) all.push_back(results_[i] ? std::move(*results_[i]) : not_run(i));
+    TaskResults results() {
+        TaskResults all;
+        for (std::size_t i = 0; i < tasks_.size(); ++i) all.results.push_back(results_[i] ? std::move(*results_[i]) : not_run(i));
+        all.not_written = not_written_;
         return all;
     }
 
 private:
-    /// A run that had a processor nearly all of its time, or that nearly never wanted one, would be as late alone.
-    bool may_have_waited(std::size_t i) const {
-        const double share = results_[i]->cpu_seconds / tasks_[i].test->limits.wall_seconds;
-        return share > 0.02 && share < 0.9;
+    /// A run that was not done in time and might be, alone.
+    bool was_late_beside_others(std::size_t i) const {
+        return results_[i] && results_[i]->outcome == Outcome::time_out && !results_[i]->alone &&
+               may_have_waited(results_[i]->cpu_seconds, tasks_[i].test->limits.wall_seconds, results_[i]->busy_threads);
     }
 
     /// Programs and tests that are the same share an entry; each has its own name.
@@ -108,6 +109,7 @@ private:
 
     void settle(std::size_t i, const WorkerEnd& end) {
         ++progress_.done;
+        if (end.not_written && not_written_.empty()) not_written_ = end.problem;
         if (end.done) results_[i] = from_store(i);
         if (results_[i]) return;
         results_[i] = result_without_program(*tasks_[i].submission, *tasks_[i].test);
@@ -131,6 +133,7 @@ private:
     std::vector<std::optional<Result>> results_;
     std::vector<Clock::time_point> started_;
     std::map<std::size_t, std::vector<std::size_t>> followers_;  ///< of a task: those with the same program and test
+    std::string not_written_;
     TimeLeft left_;
     TaskProgress progress_;
     Clock::time_point start_ = Clock::now();
@@ -149,17 +152,17 @@ std::vector<GradeTask> tasks_of(const std::vector<Submission>& submissions, cons
     return tasks;
 }
 
-std::vector<Result> run_tasks(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, int parallel,
-                              bool fresh, const std::atomic<bool>& stop, const std::function<void(const TaskProgress&)>& progress) {
+TaskResults run_tasks(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, int parallel,
+                      const std::atomic<bool>& stop, const std::function<void(const TaskProgress&)>& progress) {
     Run run(grading, tasks, store, stop, progress);
     std::vector<std::size_t> together, alone;
-    for (const std::size_t i : run.take_known(fresh)) (tasks[i].test->timed ? alone : together).push_back(i);
-    run.run(together, parallel);
-    run.run(alone, 1);
-    if (parallel > 1 && !stop) {
+    for (const std::size_t i : run.take_known()) (tasks[i].test->timed ? alone : together).push_back(i);
+    run.run(together, parallel, Turn::Kind::together);
+    run.run(alone, 1, Turn::Kind::alone);
+    if (!stop) {
         const std::vector<std::size_t> late = run.late_ones(together);
         run.expect_again(late);
-        run.run(late, 1);
+        run.run(late, 1, Turn::Kind::alone);
     }
     return run.results();
 }

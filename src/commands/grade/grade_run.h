@@ -10,11 +10,6 @@
 
 namespace rt {
 
-/// A part of a grading that is spread over machines: every `of`-th test of the whole list, from the `index`-th.
-struct Shard {
-    std::size_t index = 0, of = 1;
-};
-
 struct GradeTask {
     const Submission* submission = nullptr;
     const TestCase* test = nullptr;
@@ -22,9 +17,14 @@ struct GradeTask {
 /// Every test of every submission, in their order: one submission's tests one behind the other. Of a shard its own only.
 std::vector<GradeTask> tasks_of(const std::vector<Submission>& submissions, const Suite& suite, const Shard& shard);
 
-/// A result for each task, in their order; after `stop` some are not run. Tests run `parallel` at a time; timed ones behind them, with
-/// nothing beside them, and so again what did not end in time while others were running. `fresh`: known results are not taken.
-std::vector<Result> run_tasks(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, int parallel,
-                              bool fresh, const std::atomic<bool>& stop, const std::function<void(const TaskProgress&)>& progress);
+struct TaskResults {
+    std::vector<Result> results;  ///< one for each task, in their order
+    std::string not_written;      ///< why some could not be had or kept, a full disk for instance; empty if nothing was in the way
+};
+
+/// After `stop` some tasks are not run. Tests run `parallel` at a time; timed ones behind them, with nothing of any grader's beside them,
+/// and so again what did not end in time while others were running.
+TaskResults run_tasks(const Grading& grading, const std::vector<GradeTask>& tasks, const GradeStore& store, int parallel,
+                      const std::atomic<bool>& stop, const std::function<void(const TaskProgress&)>& progress);
 
 }  // namespace rt

@@ -18,6 +18,9 @@ public:
     std::optional<Result> find(const std::string& key) const;
     /// Puts a result under `key`, with the picture the program wrote if `picture` is not empty (its bytes). Replaces an older one.
     void put(const std::string& key, const Result& result, const std::string& picture) const;
+    /// Fills `cause` and `explanation` with those under `key`; false if there are none. And puts them there.
+    bool find_cause(const std::string& key, Result& result) const;
+    void put_cause(const std::string& key, const Result& result) const;
     /// Where the picture of an entry is, if it has one.
     std::string picture_path(const std::string& key) const;
 

@@ -1,6 +1,7 @@
 #include "commands/grade/grade_test.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,10 +10,12 @@
 #include "commands/base/content_hash.h"
 #include "commands/base/program.h"
 #include "commands/base/run_place.h"
+#include "commands/base/values.h"
 #include "commands/base/write_bytes.h"
 #include "commands/causes/wrong_answer.h"
 #include "commands/report/result_json.h"
 #include "core/source.h"
+#include "core/utf8.h"
 #include "grading/judge.h"
 #include "grading/result_names.h"
 #include "grading/run_folder.h"
@@ -36,9 +39,12 @@ class Place {
 public:
     Place(const Grading& grading, const Submission& submission, const TestCase& test) {
         const fs::path folder = place_.folder();
-        fs::create_directory(folder / "build");
-        fs::create_directory_symlink(grading.suite.inputs, folder / "resources");
-        fs::create_directory_symlink(grading.suite.inputs, folder / "build" / "resources");
+        make_folder(folder / "build");
+        for (const fs::path& link : {folder / "resources", folder / "build" / "resources"}) {
+            std::error_code error;
+            fs::create_directory_symlink(grading.suite.inputs, link, error);
+            if (error) throw OutputError(fmt::format("cannot make the link '{}': {}", link.string(), error.message()));
+        }
         if (test.kind != TestCase::Kind::shown) return;
         const TakenFile scene = own_scene(submission, test);
         if (!scene.bytes) throw OptionError(scene.problem);
@@ -132,39 +138,95 @@ Written take_picture(const Place& place, const TestCase& test, const StoredImage
     return written;
 }
 
-Result judged(const Suite& suite, const TestCase& test, const Ending& ending, const Place& place, const RunAgain& run_again,
-              std::string& picture) {
-    if (test.kind == TestCase::Kind::text) {
-        const std::optional<std::string> expected = read_file_text(test.expected, test.limits.file_bytes);
-        if (!expected) throw OptionError(fmt::format("cannot read '{}'", test.expected));
-        Result result = judge_text(test, ending, *expected);
-        if (result.outcome == Outcome::wrong_answer) explain_text(*expected, ending.output, result);
-        return result;
-    }
-    if (test.kind == TestCase::Kind::shown) return judge_shown(test, ending, take_picture(place, test, nullptr, picture));
-    const StoredImage expected = read_image(test.expected);
-    const Written written = take_picture(place, test, &expected, picture);
-    Result result = judge_picture(test, ending, written, expected);
-    if (result.outcome == Outcome::wrong_answer) explain_picture(suite, test, expected, written.image, run_again, result);
-    return result;
+/// Of all tests together: a picture may be another test's.
+std::string hash_of_answers(const std::map<std::string, std::string>& rule_hashes) {
+    std::string all;
+    for (const auto& [name, hash] : rule_hashes) all += fmt::format("{}\n{}\n", hash, name);
+    return hash_of(all);
 }
 
-/// The median run of a timed test stands for all of them, unless one fails.
-Result run_once(const Grading& grading, const Submission& submission, const TestCase& test, int slot, std::string& picture) {
-    const Place place(grading, submission, test);
-    const ContainedRun run = contained_run(grading, submission, test, place);
-    const Ending ending = run_contained(run, test.limits, grading.containment, slot);
-    const RunAgain run_again = [&](const std::vector<std::string>& arguments) {
-        ContainedRun again = run;
-        again.command.resize(1);
-        again.command.insert(again.command.end(), arguments.begin(), arguments.end());
-        Limits limits = test.limits;
-        limits.wall_seconds = std::min(limits.wall_seconds, 10.0);
-        const Ending second = run_contained(again, limits, grading.containment, slot);
-        return second.kind == Ending::Kind::exited && second.status == 0 ? second.output : std::string();
-    };
-    return judged(grading.suite, test, ending, place, run_again, picture);
+/// Of its pixels: files of one picture may differ, by the time that stands in them for instance.
+std::string hash_of_picture(const StoredImage& image) {
+    const std::string_view values(reinterpret_cast<const char*>(image.values.data()), image.values.size() * sizeof image.values[0]);
+    return hash_of(fmt::format("{} {} {} {}", image.width, image.height, image.channels, image.max_value) + hash_of(values));
 }
+
+/// One run of a program by a test, and what is said of it.
+class TestRun {
+public:
+    TestRun(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot)
+        : grading_(grading),
+          test_(test),
+          store_(store),
+          slot_(slot),
+          place_(grading, submission, test),
+          run_(contained_run(grading, submission, test, place_)) {}
+
+    /// The bytes of the picture that it wrote, if any, go to `picture`.
+    Result result(std::string& picture) const {
+        const Ending ending = run_contained(run_, test_.limits, grading_.containment, slot_);
+        Result result = judged(ending, picture);
+        if (!is_good(result.outcome)) expect_room_for(ending);
+        constexpr std::size_t longest_explanation = 1u << 16;  // it may quote what the program printed
+        result.explanation = shortened(result.explanation, longest_explanation);
+        return result;
+    }
+
+private:
+    /// What failed on a full disk says nothing.
+    void expect_room_for(const Ending& ending) const {
+        if (ending.least_room_bytes < least_room)
+            throw OutputError(fmt::format("the disk of '{}' was full, or nearly so, during a run that failed", place_.folder()));
+    }
+
+    Result judged(const Ending& ending, std::string& picture) const {
+        if (test_.kind == TestCase::Kind::text) {
+            const std::optional<std::string> expected = read_file_text(test_.expected, test_.limits.file_bytes);
+            if (!expected) throw OptionError(fmt::format("cannot read '{}'", printable(test_.expected)));
+            Result result = judge_text(test_, ending, *expected);
+            if (result.outcome == Outcome::wrong_answer) explain_text(*expected, ending.output, result);
+            return result;
+        }
+        if (test_.kind == TestCase::Kind::shown) return judge_shown(test_, ending, take_picture(place_, test_, nullptr, picture));
+        const StoredImage expected = read_image(test_.expected);
+        const Written written = take_picture(place_, test_, &expected, picture);
+        Result result = judge_picture(test_, ending, written, expected);
+        if (result.outcome == Outcome::wrong_answer) explain(expected, written.image, result);
+        return result;
+    }
+
+    /// What was said of the same picture before is taken, whatever program wrote it.
+    void explain(const StoredImage& expected, const StoredImage& actual, Result& result) const {
+        // Before anything is traced: what runs programs has one thread.
+        const std::string printed = rays_told(test_, result, [&](const auto& words) { return printed_for(words); });
+        const std::string& rule = grading_.rule_hashes.at(test_.name);
+        const std::string content = fmt::format("{}\n{}\n{}\n{}\n{}", grading_.common_hash, rule, hash_of_answers(grading_.rule_hashes),
+                                                hash_of_picture(actual), hash_of(printed));
+        const std::string key = "cause-" + hash_of(content);
+        if (!grading_.fresh && store_.find_cause(key, result)) return;
+        explain_picture(grading_.suite, test_, expected, actual, printed, result);
+        store_.put_cause(key, result);
+    }
+
+    std::string printed_for(const std::vector<std::string>& words) const {
+        ContainedRun again = run_;
+        again.command.resize(1);
+        again.command.insert(again.command.end(), words.begin(), words.end());
+        Limits limits = test_.limits;
+        limits.wall_seconds = std::min(limits.wall_seconds, 10.0);
+        const Ending ending = run_contained(again, limits, grading_.containment, slot_);
+        if (ending.kind == Ending::Kind::exited && ending.status == 0) return ending.output;
+        expect_room_for(ending);
+        return {};
+    }
+
+    const Grading& grading_;
+    const TestCase& test_;
+    const GradeStore& store_;
+    int slot_;
+    Place place_;
+    ContainedRun run_;
+};
 
 /// Of everything that a test says, its right answer among it.
 std::string rule_hash_of(const TestCase& test) {
@@ -203,11 +265,21 @@ std::string key_of(const Grading& grading, const Submission& submission, const T
 
 bool has_scene(const Submission& submission, const TestCase& test) { return own_scene(submission, test).bytes.has_value(); }
 
-void run_test(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot, bool alone) {
+bool may_have_waited(double cpu_seconds, double wall_seconds, int busy_threads) {
+    const double processors = static_cast<double>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
+    const double wanted = std::clamp(static_cast<double>(busy_threads), 1.0, processors);
+    const double share = cpu_seconds / wall_seconds;
+    return share > 0.02 && share < 0.9 * wanted;
+}
+
+void run_test(const Grading& grading, const Submission& submission, const TestCase& test, const GradeStore& store, int slot,
+              Turn::Kind kind) {
+    const Turn turn(grading.turns, kind);
+    // The median run of a timed test stands for all of them, unless one fails.
     std::vector<std::pair<Result, std::string>> runs;
     for (int i = 0; i < std::max(test.repeats, 1); ++i) {
         std::string picture;
-        Result result = run_once(grading, submission, test, slot, picture);
+        Result result = TestRun(grading, submission, test, store, slot).result(picture);
         runs.emplace_back(std::move(result), std::move(picture));
         if (runs.back().first.outcome != Outcome::passed) break;
     }
@@ -218,7 +290,7 @@ void run_test(const Grading& grading, const Submission& submission, const TestCa
     const bool failed = runs.back().first.outcome != Outcome::passed;
     auto& [result, picture] = failed ? runs.back() : runs[(runs.size() - 1) / 2];
     if (!failed) result.spread_seconds = runs.back().first.wall_seconds - runs.front().first.wall_seconds;
-    result.submission = submission.name, result.alone = alone;
+    result.submission = submission.name, result.alone = turn.was_alone();
     store.put(key_of(grading, submission, test), result, picture);
 }
 
@@ -226,7 +298,7 @@ Result result_without_program(const Submission& submission, const TestCase& test
     Result result;
     result.submission = submission.name, result.test = test.name, result.kind = test.kind;
     result.required = test.required, result.weight = test.weight;
-    result.outcome = Outcome::not_started, result.reason = submission.problem;
+    result.outcome = submission.without_program, result.reason = submission.problem;
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "commands/base/csv_field.h"
 #include "commands/grade/grade_reports.h"
 #include "commands/report/result_json.h"
+#include "core/utf8.h"
 #include "grading/result_names.h"
 
 namespace rt {
@@ -13,10 +14,9 @@ namespace {
 /// U+FFFE and U+FFFF, the two that UTF-8 has and XML 1.0 has not.
 bool is_no_character(std::string_view bytes) { return bytes.starts_with("\xEF\xBF\xBE") || bytes.starts_with("\xEF\xBF\xBF"); }
 
-/// Text in XML 1.0: characters it cannot hold are '?', which makes other bytes than UTF-8 harmless as well.
+/// Text in XML 1.0, as an attribute's value or an element's content: characters that XML cannot hold are '?'.
 std::string xml(std::string_view text) {
-    const std::string valid = nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    const std::string clean = nlohmann::json::parse(valid).get<std::string>();
+    const std::string clean = valid_utf8(text);
     std::string escaped;
     for (std::size_t i = 0; i < clean.size(); ++i) {
         const char c = clean[i];
@@ -31,6 +31,8 @@ std::string xml(std::string_view text) {
             escaped += "&quot;";
         else if (c == '\n')
             escaped += "&#10;";
+        else if (c == '\r')
+            escaped += "&#13;";
         else if (byte < 0x20 && c != '\t')
             escaped += '?';
         else if (is_no_character(std::string_view(clean).substr(i)))
@@ -45,6 +47,25 @@ bool is_failure(const Result& result) {
     return result.outcome == Outcome::wrong_answer || result.outcome == Outcome::wrong_size || result.outcome == Outcome::no_output;
 }
 
+struct JunitCounts {
+    std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+    double seconds = 0.0;
+
+    void add(const Result& result) {
+        const bool is_skipped = result.outcome == Outcome::not_run;
+        ++tests, skipped += is_skipped, failures += is_failure(result);
+        errors += !is_skipped && !is_failure(result) && !is_good(result.outcome);
+        seconds += result.wall_seconds;
+    }
+    void add(const JunitCounts& other) {
+        tests += other.tests, failures += other.failures, errors += other.errors, skipped += other.skipped, seconds += other.seconds;
+    }
+    std::string attributes() const {
+        return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\"", tests, failures, errors, skipped,
+                           seconds);
+    }
+};
+
 std::string junit_case(const Result& result) {
     std::string text = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml(result.submission), xml(result.test),
                                    result.wall_seconds);
@@ -53,7 +74,7 @@ std::string junit_case(const Result& result) {
     const std::string_view outcome = name_of(outcome_names, result.outcome);
     const std::string told = result.cause.empty() ? result.reason : fmt::format("{} ({})", result.reason, result.cause);
     if (result.outcome == Outcome::not_run)
-        text += "      <skipped/>\n";
+        text += fmt::format("      <skipped message=\"{}\"/>\n", xml(result.reason));
     else if (!is_good(result.outcome))
         text += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", is_failure(result) ? "failure" : "error", outcome,
                             xml(told), xml(result.explanation));
@@ -87,30 +108,26 @@ std::string csv_text(const GradeRecord& record) {
 
 std::string junit_text(const GradeRecord& record) {
     std::string suites;
-    std::size_t tests = 0, failures = 0, errors = 0;
+    JunitCounts all;
     for (const std::vector<Result>& results : by_submission(record.results)) {
-        std::size_t failed = 0, erroneous = 0, skipped = 0;
-        double seconds = 0.0;
+        JunitCounts counts;
         std::string cases;
         for (const Result& result : results) {
-            if (result.outcome == Outcome::not_run)
-                ++skipped;
-            else if (is_failure(result))
-                ++failed;
-            else if (!is_good(result.outcome))
-                ++erroneous;
-            seconds += result.wall_seconds;
+            counts.add(result);
             cases += junit_case(result);
         }
-        suites += fmt::format(
-            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n{}  </testsuite>\n",
-            xml(results.front().submission), results.size(), failed, erroneous, skipped, seconds, cases);
-        tests += results.size(), failures += failed, errors += erroneous;
+        const Summary sum = summary_of(results);
+        suites += fmt::format("  <testsuite name=\"{}\" {}>\n    <properties>\n", xml(results.front().submission), counts.attributes());
+        const auto property = [&](const char* name, double value) {
+            suites += fmt::format("      <property name=\"{}\" value=\"{:.6g}\"/>\n", name, value);
+        };
+        property("points", sum.points), property("out_of", sum.out_of);
+        property("required", sum.required), property("required_passed", sum.required_passed);
+        suites += fmt::format("    </properties>\n{}  </testsuite>\n", cases);
+        all.add(counts);
     }
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" "
-        "errors=\"{}\">\n{}</testsuites>\n",
-        xml(record.suite), tests, failures, errors, suites);
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" {}>\n{}</testsuites>\n", xml(record.suite),
+                       all.attributes(), suites);
 }
 
 std::string gradescope_text(const std::vector<Result>& results) {
@@ -133,6 +150,7 @@ std::string gradescope_text(const std::vector<Result>& results) {
          {"output", fmt::format("{} of {} tests passed ({} of {} required)", sum.passed, sum.tests, sum.required_passed, sum.required)},
          {"output_format", "text"},
          {"test_output_format", "text"},
+         {"test_name_format", "text"},
          {"visibility", "visible"},
          {"stdout_visibility", "hidden"},
          {"tests", tests}},

@@ -11,7 +11,7 @@ namespace rt {
 
 /// What is at `path`: an executable, or a folder that holds one called "raytrace" (itself, or in "build"), or else sources.
 struct SourceTree {
-    std::string name;
+    std::string name;     ///< the file's or folder's, in UTF-8
     std::string program;  ///< absolute path; empty: has to be built
     std::string folder;   ///< of the sources: the one with CMakeLists.txt or a makefile
     std::string problem;  ///< why neither is there
@@ -24,15 +24,25 @@ SourceTree look_at(const std::string& path, bool as_is);
 /// Everything in `folder`: each executable and each folder, in the order of their names. Throws OptionError if there is nothing.
 std::vector<std::string> submissions_in(const std::string& folder);
 
-/// Where and how sources are built.
-struct BuildOptions {
-    std::string folder;  ///< of the copies
-    bool fresh = false;  ///< what is built already is built again
-};
+/// What is known of a submission before it is built: its name, the folder of its author's scenes, or why there is no program.
+Submission not_built(const SourceTree& tree);
 
-/// The program of `tree`, built if it has to be: in a copy and contained as any run is, with CMake (Release), else make, else make in
-/// "src". What became of the same sources before is taken. What went wrong is the submission's `problem`. A program from a folder sees that
-/// folder, an executable by itself nothing but itself. Links do not count: nothing outside a submission becomes a part of it.
-Submission build(const SourceTree& tree, const BuildOptions& options, const Containment& containment, int slot);
+/// The program at `program`: one from a folder sees that folder, `visible`; an executable by itself (`visible` empty) nothing but itself.
+void give_program(Submission& submission, const std::string& program, const std::string& visible);
+
+/// Where `name` lies in `folder`: a file that can be read and executed, no link, nor behind one. Empty if there is none.
+std::string own_program(const std::string& folder, const std::string& name);
+
+/// What a submission's program is called.
+inline constexpr const char* program_name = "raytrace";
+
+/// One command of a build, in its folder.
+struct BuildStep {
+    std::vector<std::string> command;
+    std::string folder;
+};
+/// How the sources in `folder` are built: with CMake (Release), else make, else make in "src"; `jobs` at a time. Empty where there is
+/// nothing to build with.
+std::vector<BuildStep> build_steps(const std::string& folder, int jobs);
 
 }  // namespace rt

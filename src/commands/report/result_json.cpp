@@ -80,11 +80,13 @@ Json result_json(const Result& result) {
 }
 
 Json times_json(const Result& result) {
-    return {{"alone", result.alone},
-            {"wall", result.wall_seconds},
-            {"cpu", result.cpu_seconds},
-            {"spread", result.spread_seconds},
-            {"peak", result.peak_memory_bytes}};
+    Json json = {{"alone", result.alone},
+                 {"wall", result.wall_seconds},
+                 {"cpu", result.cpu_seconds},
+                 {"spread", result.spread_seconds},
+                 {"peak", result.peak_memory_bytes}};
+    if (result.busy_threads > 0) json["busy"] = result.busy_threads;
+    return json;
 }
 
 Result result_of_json(const JsonValue& value) {
@@ -109,6 +111,7 @@ void read_times(const JsonValue& value, Result& result) {
     result.alone = value["alone"].truth();
     result.wall_seconds = value["wall"].number(), result.cpu_seconds = value["cpu"].number();
     result.spread_seconds = value["spread"].number();
+    if (value.has("busy")) result.busy_threads = static_cast<int>(value["busy"].number_in(0, 1e6));
     result.peak_memory_bytes = static_cast<std::uint64_t>(value["peak"].number());
 }
 

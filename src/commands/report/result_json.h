@@ -9,7 +9,7 @@ namespace rt {
 
 /// Everything but the times; the same result gives the same text. Members that have nothing to say are left out.
 nlohmann::ordered_json result_json(const Result& result);
-/// {alone, wall, cpu, spread: seconds, peak: bytes}.
+/// {alone, wall, cpu, spread: seconds, peak: bytes, busy: threads of a time-out}.
 nlohmann::ordered_json times_json(const Result& result);
 
 /// What result_json() wrote. Throws SceneError with the place of what is not as expected.

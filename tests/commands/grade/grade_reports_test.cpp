@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "commands/grade/grade_page_row.h"
 #include "commands/grade/grade_reports.h"
 #include "commands/report/result_json.h"
 #include "tests/commands/support.h"
@@ -82,7 +83,8 @@ TEST(GradeReports, CsvQuotesAndDisarmsFields) {
 
 TEST(GradeReports, JunitCountsAndEscapes) {
     const std::string text = junit_text(record());
-    EXPECT_THAT(text, HasSubstr("<testsuites name=\"Winter &amp; more\" tests=\"3\" failures=\"1\" errors=\"1\">"));
+    EXPECT_THAT(text,
+                HasSubstr("<testsuites name=\"Winter &amp; more\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\" time=\"1.500\">"));
     EXPECT_THAT(text, HasSubstr("<testsuite name=\"ada\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\" time=\"1.500\">"));
     EXPECT_THAT(text, HasSubstr("name=\"p1/test&lt;1&gt;\""));
     EXPECT_THAT(
@@ -138,6 +140,29 @@ TEST(GradeReports, TheTableHasNoControlBytesOfNames) {
     EXPECT_THAT(table_text(odd), HasSubstr("\na?[31mb?c         1/2"));
     odd.results.pop_back();
     EXPECT_THAT(table_text(odd), HasSubstr("ok   p1/?[2Jx   "));
+}
+
+TEST(GradeReports, TheTableAndThePagesCutNoCharacterInTwo) {
+    GradeRecord odd = record();
+    odd.results.erase(odd.results.begin() + 2);
+    odd.results[0].test = odd.results[0].cause = std::string(199, 'x') + "\xC3\xA4";
+    odd.results[1].reason = std::string(1999, 'y') + "\xC3\xA4";
+    EXPECT_THAT(table_text(odd), HasSubstr("ok   " + std::string(199, 'x') + "... "));
+    EXPECT_THAT(table_text(odd), HasSubstr(": " + std::string(199, 'x') + "...\n"));
+    const ReportRow row = report_row(odd.results[1], nullptr);
+    EXPECT_EQ(row.data["reason"], std::string(1999, 'y') + "… (2 bytes more)");
+}
+
+TEST(GradeReports, CsvHasNoBytesOfOtherEncodingsAndNoControlCharacters) {
+    GradeRecord odd = record();
+    odd.results[0].reason = std::string("a\0\033\x7F\xFFz", 6);
+    EXPECT_THAT(csv_text(odd), HasSubstr(",a???\xEF\xBF\xBDz,"));
+}
+
+TEST(GradeReports, JunitKeepsEndsOfLines) {
+    GradeRecord odd = record();
+    odd.results[1].output = "a\r\nb";
+    EXPECT_THAT(junit_text(odd), HasSubstr("a&#13;&#10;b"));
 }
 
 }  // namespace
