@@ -12,9 +12,10 @@
 namespace rt {
 
 struct BuildOptions {
-    std::string folder;  ///< of what is built, may be shared with other gradings
-    int parallel = 1;    ///< builds at a time, which share the processors
-    Shard shard;         ///< each begins elsewhere in the list, so that those that share the folder share the work
+    std::string folder;   ///< of what is built
+    bool shared = false;  ///< with other gradings: then its disk must have locks
+    int parallel = 1;     ///< builds at a time, which share the processors
+    Shard shard;          ///< each begins elsewhere in the list, so that those that share the folder share the work
 };
 
 /// Gives those of `submissions` that are `wanted` their programs; `trees` are theirs, one by one. Sources are built in a copy, contained as

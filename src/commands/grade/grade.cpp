@@ -124,10 +124,12 @@ std::string build(const GradeJob& job, Graded& graded, const std::vector<GradeTa
     std::vector<Submission>& submissions = graded.submissions;
     std::vector<bool> wanted(submissions.size());
     for (const GradeTask& task : tasks) wanted[static_cast<std::size_t>(task.submission - submissions.data())] = true;
+    const std::string own = (fs::path(job.folder) / "builds").string();
     std::string not_written;
     {
         TaskProgressLine progress(!job.quiet, "builds");
-        not_written = find_programs(submissions, graded.trees, wanted, {job.builds, job.parallel, job.shard}, grading, stop,
+        not_written = find_programs(submissions, graded.trees, wanted,
+                                    {job.builds.empty() ? own : job.builds, !job.builds.empty(), job.parallel, job.shard}, grading, stop,
                                     [&](const TaskProgress& state) { progress.update(state); });
     }
     for (const Submission& submission : submissions) {
@@ -204,7 +206,7 @@ int run(GradeJob job) {
     make_folder(job.folder);
     job.folder = fs::canonical(job.folder).string();
     if (job.audit) return run_audit(job, asked);
-    job.builds = job.builds.empty() ? (fs::path(job.folder) / "builds").string() : fs::absolute(job.builds).lexically_normal().string();
+    if (!job.builds.empty()) job.builds = fs::absolute(job.builds).lexically_normal().string();
     const Grading grading = grading_of(job, std::move(suite), messages);
     GradeRecord record{grading.suite.name, holes(grading.containment), job.shard, {}, asked.tests};
     for (const std::string& hole : record.holes) messages(fmt::format("raytrace: warning: {}", hole));
