@@ -33,7 +33,8 @@ private:
     bool began_alone_ = false, stays_alone_ = false;
 };
 
-/// A file in /tmp that is this user's, whatever TMPDIR says. Throws std::system_error if it cannot be used.
+/// A file in /tmp that is this user's, whatever TMPDIR says, or the one that RAYTRACE_TURNS names. Throws std::system_error if it cannot
+/// be used.
 std::string place_of_turns();
 
 }  // namespace rt

@@ -202,7 +202,7 @@ class Build(unittest.TestCase):
                     text += os.read(terminal, 65536).decode()
                 except OSError:
                     break
-                if not interrupted and re.search(r" 2/3 builds \(1 known\)  \d+\.\d builds/s  \d:\d\d:\d\d left", text):
+                if not interrupted and re.search(r" 2/3 builds \(1 known\)  \d+\.\d builds/(s|min)  \d:\d\d:\d\d left", text):
                     os.kill(process, signal.SIGINT)
                     interrupted = True
         finally:

@@ -1,9 +1,14 @@
 """What the tests of grading share: a small suite of the course's kind whose right answers the program itself makes, and programs to grade."""
+import atexit
 import json
 import os
 import pathlib
 import shutil
 import subprocess
+
+# Gradings of one test wait for each other where they have to, and for no other test's.
+os.environ["RAYTRACE_TURNS"] = f"/tmp/grade_turns_{os.getpid()}"
+atexit.register(lambda: pathlib.Path(os.environ["RAYTRACE_TURNS"]).unlink(missing_ok=True))
 
 SCENE = """
 camera { location <0, 0, 14> up <0, 1, 0> right <1.333333, 0, 0> look_at <0, 0, 0> }

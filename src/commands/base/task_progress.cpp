@@ -13,8 +13,9 @@ std::string task_progress_text(const TaskProgress& progress, std::string_view th
     if (progress.taken > 0) text += fmt::format(" ({} known)", progress.taken);
     if (run == 0 || !(progress.seconds > 0.0)) return text;
     const long left = static_cast<long>(progress.seconds_left + 0.5);
-    return text + fmt::format("  {:.1f} {}/s  {}:{:02}:{:02} left", static_cast<double>(run) / progress.seconds, things, left / 3600,
-                              left / 60 % 60, left % 60);
+    const double rate = static_cast<double>(run) / progress.seconds;
+    text += rate < 1.0 ? fmt::format("  {:.1f} {}/min", 60.0 * rate, things) : fmt::format("  {:.1f} {}/s", rate, things);
+    return text + fmt::format("  {}:{:02}:{:02} left", left / 3600, left / 60 % 60, left % 60);
 }
 
 void TimeLeft::add(const std::string& kind, double seconds) {

@@ -14,7 +14,7 @@ struct TaskProgress {
     double seconds_left = 0.0;
 };
 
-/// "  120/18000 tests (40 known)  31.2 tests/s  0:09:31 left"; `things` is what they are.
+/// "  120/18000 tests (40 known)  31.2 tests/s  0:09:31 left"; `things` is what they are. Slow ones are told by the minute.
 std::string task_progress_text(const TaskProgress& progress, std::string_view things);
 
 /// How long what is left will take: a task takes what those of its kind took on average, else what all took.
