@@ -1,6 +1,7 @@
 // The floor under every trace time: the same camera rays and one shadow ray per lit light, straight to Embree's own triangles and spheres
-// in single precision, with nothing around them. usage: embree_floor SCENE WIDTH HEIGHT THREADS RUNS
-// Prints one line a run: seconds, camera rays, shadow rays. Exit 3: the scene has other shapes.
+// in single precision, with nothing around them. usage: embree_floor SCENE WIDTH HEIGHT THREADS RUNS | embree_floor --isa
+// Prints one line a run: seconds of the loop, camera rays, shadow rays, seconds of building the index with as many threads. Exit 3: the
+// scene has other shapes. --isa: what Embree says of itself, among it the instruction sets that it chooses from on this machine.
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <pmmintrin.h>
@@ -8,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -131,6 +133,10 @@ Result run(const Work& work, int threads, std::vector<float>& picture) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view(argv[1]) == "--isa") {
+        rtcReleaseDevice(rtcNewDevice("verbose=1"));
+        return 0;
+    }
     if (argc != 6) return 2;
     const int width = std::stoi(argv[2]), height = std::stoi(argv[3]), threads = std::stoi(argv[4]), runs = std::stoi(argv[5]);
     ParseOptions options;
@@ -143,16 +149,18 @@ int main(int argc, char** argv) {
           s.polygons.empty())) {
         return 3;
     }
-    RTCDevice device = rtcNewDevice(nullptr);
+    const auto begin = std::chrono::steady_clock::now();
+    RTCDevice device = rtcNewDevice(fmt::format("threads={}", threads).c_str());
     RTCScene scene = rtcNewScene(device);
     add_triangles(device, scene, s);
     add_spheres(device, scene, s);
     rtcCommitScene(scene);
+    const double build = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const Work work{scene, world, width, height};
     std::vector<float> picture(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int i = 0; i < runs; ++i) {
         const Result result = run(work, threads, picture);
-        fmt::print("{:.6f} {} {}\n", result.seconds, picture.size(), result.shadow_rays);
+        fmt::print("{:.6f} {} {} {:.6f}\n", result.seconds, picture.size(), result.shadow_rays, build);
     }
     rtcReleaseScene(scene);
     rtcReleaseDevice(device);

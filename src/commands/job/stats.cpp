@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <fstream>
+
 #include "commands/base/names.h"
 #include "trace/camera.h"
 
@@ -44,6 +46,12 @@ std::string gamma_text(const Gamma& gamma) {
 }
 
 std::size_t peak_memory() {
+    // The kernel's count of the process itself; getrusage counts what the process was forked from, too.
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        std::size_t kilobytes = 0;
+        if (word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024;
+    }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kilobytes
