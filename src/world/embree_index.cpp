@@ -87,6 +87,12 @@ void on_occluded(const RTCOccludedFunctionNArguments* args) {
     });
 }
 
+/// Gives the memory back; assigning {} would keep it.
+template <typename T>
+void free_all(std::vector<T>& list) {
+    std::vector<T>().swap(list);
+}
+
 void set_bounds(const RTCBoundsFunctionArguments* args, const Vec3& low, const Vec3& high) {
     RTCBounds& out = *args->bounds_o;
     out.lower_x = static_cast<float>(low.x - box_padding);
@@ -270,6 +276,7 @@ struct EmbreeIndex::State {
         const auto* root = static_cast<const GroupNode*>(rtcBuildBVH(&arguments));
         check();
         data.blocks.reserve(primitives.size() * 3 / 10);
+        free_all(primitives);
         if (root) collect(*root, data, data.blocks);
     }
 
@@ -298,7 +305,7 @@ struct EmbreeIndex::State {
             add_float_triangles();
         } else if (!data.faces.empty()) {
             make_blocks();
-            data.faces = {};
+            free_all(data.faces);
             add_callbacks<test_block>(data.blocks.size(), bounds_of_block);
         }
         rtcCommitScene(scene.get());
