@@ -1,0 +1,2 @@
+// Nothing: what every run costs.
+#version 3.7;
