@@ -42,6 +42,7 @@ PixelRays trace_pixel(const World& world, RenderOptions options, int x, int y) {
     options.threads = 1;
     PixelRays rays;
     rays.pixel = render(world, options).film.at(0, 0);
+    const RoundingScope scope(options.rounding);
     Tracer tracer(world, options.trace);
     rays.samples = samples_of(tracer, world, options, {x, y});
     return rays;
@@ -50,13 +51,14 @@ PixelRays trace_pixel(const World& world, RenderOptions options, int x, int y) {
 bool trace_pixels(const World& world, const RenderOptions& options, std::span<const PixelPlace> places, const TakeRays& take) {
     std::vector<std::unique_ptr<Tracer>> tracers(static_cast<std::size_t>(worker_count(options.threads, places.size())));
     std::atomic<bool> complete{true};
-    for_each_tile(options.threads, places.size(), [&](int worker, std::size_t number) {
+    const auto trace_one = [&](int worker, std::size_t number) {
         if (!complete) return;
         std::unique_ptr<Tracer>& tracer = tracers[static_cast<std::size_t>(worker)];
         if (!tracer) tracer = std::make_unique<Tracer>(world, options.trace);
         const std::vector<RayLog> samples = samples_of(*tracer, world, options, places[number]);
         if (stopped(options) || !take(number, samples)) complete = false;
-    });
+    };
+    for_each_tile(options.threads, places.size(), trace_one, options.rounding);
     return complete;
 }
 

@@ -22,9 +22,6 @@
 namespace rt {
 namespace {
 
-/// Round to nearest, all exceptions masked, denormal numbers kept. Creating an Embree device leaves flush-to-zero set on some threads.
-constexpr unsigned default_floating_point = 0x1f80;
-
 /// 256 levels of recursion at 64 kB each, more than any build of the tracer uses. The system's default depends on the user's limits.
 constexpr std::size_t worker_stack = std::size_t{16} << 20;
 
@@ -76,13 +73,13 @@ int worker_count(int threads, std::size_t tiles) {
     return static_cast<int>(std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(tiles, 1)));
 }
 
-int for_each_tile(int threads, std::size_t count, const std::function<void(int worker, std::size_t tile)>& work) {
+int for_each_tile(int threads, std::size_t count, const std::function<void(int worker, std::size_t tile)>& work, Rounding rounding) {
     std::atomic<std::size_t> next{0};
     FirstFailure failure;
     const auto run = [&](int worker) {
         try {
             for (std::size_t tile = next++; tile < count; tile = next++) {
-                _mm_setcsr(default_floating_point);
+                _mm_setcsr(floating_point_state(rounding));  // creating an Embree device leaves flush-to-zero set on some threads
                 work(worker, tile);
             }
         } catch (...) {
@@ -289,7 +286,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
     const std::vector<Region> tiles = choose_tiles(options, region);
     std::vector<Worker> workers(worker_count(options.threads, tiles.size()));
     Progress progress(options.progress, tiles.size());
-    result.threads = for_each_tile(options.threads, tiles.size(), [&](int index, std::size_t tile) {
+    const auto trace_tile = [&](int index, std::size_t tile) {
         Worker& worker = workers[index];
         if (!worker.tracer) prepare(worker, world, options);
         const int rows = worker.task.stopped() ? 0 : sample_tile(worker.task, tiles[tile], worker.pixels);
@@ -299,7 +296,8 @@ RenderResult render(const World& world, const RenderOptions& options) {
         } else {
             worker.complete = false;
         }
-    });
+    };
+    result.threads = for_each_tile(options.threads, tiles.size(), trace_tile, options.rounding);
     for (const Worker& worker : workers) {
         if (worker.tracer) result.counts += worker.tracer->counts();
         if (worker.edges) result.counts.edge += worker.edges->rays;

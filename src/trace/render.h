@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "film/film.h"
+#include "trace/rounding.h"
 #include "trace/sampling.h"
 #include "trace/tracer.h"
 
@@ -25,6 +26,7 @@ struct RenderOptions {
     bool alpha = false;         ///< the picture keeps its transmittance; otherwise it is 0 everywhere and anti-aliasing does not compare it
     TraceOptions trace;
     EdgeOptions edges;
+    Rounding rounding = Rounding::nearest;      ///< of every operation of the workers
     const std::atomic<bool>* stop = nullptr;    ///< set by Ctrl-C: keep the rows that are finished and return
     std::function<void(double done)> progress;  ///< called from one worker at a time, done in 0..1, at most ten times a second
 };
@@ -48,9 +50,10 @@ void check_picture_memory(int width, int height, std::uint64_t available);
 std::uint64_t available_memory();
 
 /// Calls work(worker, tile) for every tile in [0, count), each on one of `threads` workers (0: all cores), in order of their numbers as far
-/// as the workers allow. Every call begins with the processor's default floating-point state (round to nearest, no flush to zero) and a
+/// as the workers allow. Every call begins with the processor's default floating-point state (no flush to zero) with this rounding, and a
 /// stack that holds the deepest recursion. The first exception ends the work and is thrown here. Returns the number of workers.
-int for_each_tile(int threads, std::size_t count, const std::function<void(int worker, std::size_t tile)>& work);
+int for_each_tile(int threads, std::size_t count, const std::function<void(int worker, std::size_t tile)>& work,
+                  Rounding rounding = Rounding::nearest);
 
 /// Workers for so many tiles: never more than tiles, never less than one.
 int worker_count(int threads, std::size_t tiles);

@@ -40,10 +40,14 @@ using SceneHandle = std::unique_ptr<RTCScene, Releaser<RTCScene, rtcReleaseScene
 using BvhHandle = std::unique_ptr<RTCBVH, Releaser<RTCBVH, rtcReleaseBVH>>;
 using GeometryHandle = std::unique_ptr<RTCGeometry, Releaser<RTCGeometry, rtcReleaseGeometry>>;
 
-/// Embree sets flush-to-zero in the threads that it builds with; whether the caller is one of them is up to its scheduler.
+/// Embree sets flush-to-zero in the threads that it builds with; whether the caller is one of them is up to its scheduler, which may also
+/// hand the caller's rounding on to the others, for good. It builds with the usual one, whatever the caller's is.
 class KeepFloatingPoint {
 public:
-    KeepFloatingPoint() { std::fegetenv(&environment_); }
+    KeepFloatingPoint() {
+        std::fegetenv(&environment_);
+        std::fesetround(FE_TONEAREST);
+    }
     ~KeepFloatingPoint() { std::fesetenv(&environment_); }
     KeepFloatingPoint(const KeepFloatingPoint&) = delete;
     KeepFloatingPoint& operator=(const KeepFloatingPoint&) = delete;

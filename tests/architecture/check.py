@@ -37,6 +37,7 @@ PARTS = {
     "report": {"base"},
     "grade": {"base", "job", "causes", "report"},
     "versus": {"base", "job", "report"},
+    "trade": {"base", "job", "report"},
 }
 
 # Where a library may be included, as a pattern of paths under src/.
