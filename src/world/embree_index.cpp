@@ -17,7 +17,8 @@ namespace {
 
 /// Embree's slab tests see every box plane displaced by less than 9e-7 in local units (coordinates up to 1, so distances up to 2): 2^-25
 /// each from the rounded plane and ray origin, 2^-24 from their product with the reciprocal direction, and the relative errors 2^-24 of the
-/// rounded direction and 2^-22 of Embree's reciprocal times the distance. Boxes grow by more than that, and no box is missed.
+/// rounded direction and 2^-22 of Embree's reciprocal times the distance. Where the processor rounds in one direction, all of them are at
+/// most twice as large, less than 1.5e-6 with Newton's step counted exactly. Boxes grow by that, and no box is missed.
 constexpr double box_padding = 1.5e-6;
 /// The box in which rays are clipped before they are rounded; its own test is in doubles.
 constexpr double scene_padding = 8e-6;

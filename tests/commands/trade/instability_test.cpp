@@ -132,7 +132,8 @@ TEST_F(Unstable, RandomDirectionsHaveNoMap) {
         job.profile = Profile::csc473;
         job.course.emplace().indirect_samples = {4};
     };
-    EXPECT_THROW(of("camera { location <0, 0, 5> look_at <0, 0, 0> } sphere { <0, 0, 0>, 1 pigment { color rgb <1, 0, 0> } }"), OptionError);
+    EXPECT_THROW(of("camera { location <0, 0, 5> look_at <0, 0, 0> } sphere { <0, 0, 0>, 1 pigment { color rgb <1, 0, 0> } }"),
+                 OptionError);
 }
 
 TEST_F(Unstable, AStopLeavesNothing) {
