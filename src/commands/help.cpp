@@ -13,7 +13,7 @@ namespace rt {
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
     "Commands: requires compare versus explain grade merge brdf version; help on\n"
-    "povray scene shading edges sampling output course suite pixel versus exit";
+    "povray scene shading edges sampling knobs output course suite pixel versus exit";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -166,6 +166,29 @@ constexpr const char* sampling_topic =
                     has the same bytes as in the whole picture
 )";
 
+constexpr const char* knobs_topic =
+    R"(What trades the accuracy of a picture for time. Without any of these it is what
+the scene says, one ray a pixel.
+
+--ss N, --aa M,T,R    rays through a pixel: help sampling
+--max-trace-level N   at most N rays follow one another, the camera's counted
+                      (the scene's max_trace_level)
+--adc-bailout X       a ray that matters less than X is not followed (the
+                      scene's adc_bailout); 0 follows all
+--shadows full        every surface keeps light away; what is transparent tints
+                      it (default)
+          opaque      what has a transparent place anywhere casts no shadow
+          none        nothing casts one
+--light-samples N     an area light has at most N lamps along each side, over
+                      the same area, as if the scene said so, 'adaptive' too;
+                      1 is a point at its centre; all (default)
+--F --D --G NAME      terms of highlights: help shading
+--precision fast      triangles are found in single precision
+-gi_samples=A,B       under the course's rules alone: help course
+
+--shadows and --light-samples go with every shading but the course's.
+)";
+
 constexpr const char* output_topic =
     R"(-o FILE             the ending chooses the type (png exr hdr tif jpg ppm tga
                     bmp); to another ending .png is appended
@@ -288,9 +311,9 @@ in the scene's folder, read what you may read, write nowhere, have no network.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
-    {"povray", povray_topic},     {"scene", scene_topic},   {"shading", ""},          {"edges", edges_topic},
-    {"sampling", sampling_topic}, {"output", output_topic}, {"course", course_topic}, {"pixel", pixel_topic},
-    {"suite", suite_topic},       {"versus", versus_topic}, {"exit", exit_topic},
+    {"povray", povray_topic},     {"scene", scene_topic}, {"shading", ""},          {"edges", edges_topic},
+    {"sampling", sampling_topic}, {"knobs", knobs_topic}, {"output", output_topic}, {"course", course_topic},
+    {"pixel", pixel_topic},       {"suite", suite_topic}, {"versus", versus_topic}, {"exit", exit_topic},
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ Lighting::Lighting(const World& world, const TraceOptions& options, const Distan
     : world_(world),
       general_(options.shading == ShadingModel::general && world.features.catalogue),
       facing_(options.shading == ShadingModel::general ? least_cosine : facing_cosine),
-      cast_shadows_(options.quality.shadows),
+      cast_shadows_(options.quality.shadows && options.shadows != ShadowKind::none),
       shadows_(world, rules, options) {
     for (const Light& light : world.lights) sources_.emplace_back(light, options.lamps);
 }

@@ -21,6 +21,13 @@ enum class Distances {
     povray,  ///< its absolute 1e-4, 1e-3 and 1e7
 };
 
+/// What keeps the light of a lamp from a surface.
+enum class ShadowKind {
+    full,    ///< every surface; those that light can pass tint it
+    opaque,  ///< only surfaces that no light can pass anywhere; all others as if they were not there
+    none,    ///< nothing
+};
+
 /// Parts of the picture that POV-Ray's +Q leaves out.
 struct Quality {
     bool lighting = true;  ///< else the pigment's rgb as it is
@@ -39,6 +46,7 @@ struct TraceOptions {
     std::optional<int> max_trace_level;  ///< overrides the scene's
     std::optional<double> adc_bailout;   ///< likewise
     Quality quality;
+    ShadowKind shadows = ShadowKind::full;  ///< where `quality` has shadows
     LampRules lamps;
     std::shared_ptr<const Environment> environment;  ///< instead of the scene's background
     std::optional<CourseRules> course;               ///< the course's rules instead of POV-Ray's: nothing above counts then

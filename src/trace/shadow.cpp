@@ -16,6 +16,7 @@ constexpr std::int64_t most_cached_samples = 1 << 20;
 Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options)
     : world_(world),
       rules_(rules),
+      tinted_(world.features.transmits && options.shadows == ShadowKind::full),
       opaque_first_(options.distances == Distances::scaled),
       layers_(world, options.quality.quick_colors),
       blockers_(world.lights.size()) {}
@@ -24,12 +25,12 @@ Rgb Shadows::transmitted(std::uint32_t light_index, const SurfacePoint& at, cons
                          ShadowAnswer* answer) {
     ++rays;
     Rgb light(1.0);
-    if (!world_.features.transmits || opaque_first_) {
+    if (!tinted_ || opaque_first_) {
         const Interval range = rules_.shadow(ray.distance, at.error);
         if (range.min < range.max && world_.occluded({rules_.leave(at, ray.direction), ray.direction}, range, blockers_[light_index]))
             light = Rgb(0.0);
     }
-    if (world_.features.transmits && light != Rgb(0.0)) light = through_transparent(at, ray, inside, answer);
+    if (tinted_ && light != Rgb(0.0)) light = through_transparent(at, ray, inside, answer);
     if (answer != nullptr) answer->transmitted = light;
     return light;
 }

@@ -38,6 +38,7 @@ private:
 
     const World& world_;
     DistanceRules rules_;
+    bool tinted_;        ///< some surfaces let light pass, and are asked how much of it
     bool opaque_first_;  ///< opaque blockers are asked for before the transparent ones are counted
     SurfaceLayers layers_;
     std::vector<std::uint32_t> inside_;

@@ -1,5 +1,7 @@
 #include "world/compile.h"
 
+#include <algorithm>
+
 #include "world/material_table.h"
 #include "world/surface_index.h"
 
@@ -9,10 +11,20 @@ namespace {
 
 bool is_black(const Rgb& c) { return std::fabs(c.r) < 1e-10 && std::fabs(c.g) < 1e-10 && std::fabs(c.b) < 1e-10; }
 
-std::vector<Light> compile_lights(const std::vector<Light>& stated) {
+void thin_out(Light& light, int most) {
+    if (!light.area) return;
+    AreaLight& area = *light.area;
+    area.size1 = std::min(area.size1, most), area.size2 = std::min(area.size2, most);
+    if (area.size1 == 1 && area.size2 == 1) light.area.reset();
+}
+
+std::vector<Light> compile_lights(const std::vector<Light>& stated, std::optional<int> light_samples) {
     std::vector<Light> lights;
-    for (const Light& light : stated)
-        if (!is_black(light.color)) lights.push_back(light);
+    for (const Light& light : stated) {
+        if (is_black(light.color)) continue;
+        lights.push_back(light);
+        if (light_samples) thin_out(lights.back(), *light_samples);
+    }
     return lights;
 }
 
@@ -144,7 +156,7 @@ IndexKind choose_index(const World& world, const CompileOptions& options) {
 World compile(const Scene& scene, const CompileOptions& options, const MessageSink& warn) {
     World world;
     world.camera = camera_basis(scene.camera, options.profile, scene.sources, warn);
-    world.lights = compile_lights(scene.lights);
+    world.lights = compile_lights(scene.lights, options.light_samples);
     for (const Light& light : world.lights) world.features.area_lights |= light.area.has_value();
     world.background_transmit = scene.background.transmit;
     world.ambient_light = scene.settings.ambient_light;

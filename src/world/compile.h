@@ -32,6 +32,9 @@ struct CompileOptions {
     std::optional<FewRays> few_rays;
     /// What the finish of this place chooses of the catalogue; nothing: the general form with GGX, Smith and Schlick.
     std::function<ModelChoice(const Finish&)> choose;
+    /// Lamps along each side of an area light, at most: such a light stands in the world as if the scene stated so few, and with 1 it is
+    /// a lamp at its centre. Unset: as many as the scene states.
+    std::optional<int> light_samples;
     bool general_shading = true;  ///< warn of what only the general form's shading cannot take as it is
 };
 

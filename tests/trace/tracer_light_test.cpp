@@ -154,6 +154,35 @@ TEST(Shadow, is_tinted_by_every_transparent_surface) {
     }
 }
 
+TEST(Shadow, is_cast_by_all_surfaces_or_by_opaque_ones_or_by_none) {
+    // Towards the lamp a glass ball stands over (0, 0, 0) and a solid one over (4, 0, 0); a checkered one, half of it glass, over (-4, 0,
+    // 0).
+    const PigmentColor glass = color(Rgb(1.0), 0.0, 0.5), solid = color(Rgb(1.0));
+    const auto ball = [](double x, const auto& pigment) { return object(Sphere{{x, 2, 0}, 0.3}, texture(pigment, matte)); };
+    const Scene scene =
+        scene_with({white_floor(), ball(0, glass), ball(2, solid), ball(-2, checker(solid, glass))}, {point_light({0, 4, 0})});
+    const double far = 4 / std::hypot(4.0, 4.0);
+    for (const Distances distances : {Distances::povray, Distances::scaled}) {
+        TraceOptions options = povray_options();
+        options.distances = distances;
+        const auto light = [&](ShadowKind kind, double x) {
+            options.shadows = kind;
+            Traced t(scene, options);
+            const double found = floor_light(t, x).g;
+            EXPECT_EQ(t.tracer->counts().shadow, kind == ShadowKind::none ? 0u : 1u);
+            return found;
+        };
+        EXPECT_NEAR(light(ShadowKind::full, 0), 0.25, 1e-12);
+        EXPECT_NEAR(light(ShadowKind::full, 4), 0.0, 1e-12);
+        EXPECT_LE(light(ShadowKind::full, -4), 0.25);
+        EXPECT_NEAR(light(ShadowKind::opaque, 0), 1.0, 1e-12);
+        EXPECT_NEAR(light(ShadowKind::opaque, 4), 0.0, 1e-12);
+        EXPECT_NEAR(light(ShadowKind::opaque, -4), far, 1e-12) << "light passes somewhere";
+        EXPECT_NEAR(light(ShadowKind::none, 0), 1.0, 1e-12);
+        EXPECT_NEAR(light(ShadowKind::none, 4), far, 1e-12);
+    }
+}
+
 TEST(Shadow, light_that_starts_inside_a_medium_fades_from_there) {
     Interior fading;
     fading.fade_distance = 0.5, fading.fade_power = 1000;

@@ -52,6 +52,25 @@ TEST(Compile, BlackLightsAreLeftOut) {
     EXPECT_TRUE(world.features.area_lights);
 }
 
+TEST(Compile, AreaLightsHaveAtMostTheLampsAskedFor) {
+    Scene scene;
+    Light light;
+    light.color = Rgb(1.0);
+    light.area = AreaLight{{2, 0, 0}, {0, 3, 0}, 9, 2, 1, true, false, true};
+    scene.lights = {light};
+    const auto lights = [&](std::optional<int> most) {
+        CompileOptions options;
+        options.light_samples = most;
+        return compiled(scene, options).lights;
+    };
+    EXPECT_EQ(lights({}), scene.lights);
+    EXPECT_EQ(lights(9), scene.lights);
+    light.area->size1 = 4;
+    EXPECT_EQ(lights(4), std::vector{light}) << "nothing else of the light changes";
+    light.area.reset();
+    EXPECT_EQ(lights(1), std::vector{light}) << "a lamp at its centre";
+}
+
 TEST(Compile, TransparentBackgroundsAreDarkerSinceLanguage37) {
     Scene scene;
     scene.background = {{0.8, 0.6, 0.4}, 0.0, 0.5};

@@ -10,6 +10,8 @@ namespace rt {
 
 inline constexpr NameTable<ShadingModel, 2> shading_names{{{"general", ShadingModel::general}, {"povray", ShadingModel::povray}}};
 inline constexpr NameTable<Distances, 2> distances_names{{{"scaled", Distances::scaled}, {"povray", Distances::povray}}};
+inline constexpr NameTable<ShadowKind, 3> shadow_names{
+    {{"full", ShadowKind::full}, {"opaque", ShadowKind::opaque}, {"none", ShadowKind::none}}};
 inline constexpr NameTable<Precision, 2> precision_names{{{"fast", Precision::fast}, {"exact", Precision::exact}}};
 inline constexpr NameTable<Profile, 2> profile_names{{{"povray", Profile::povray}, {"csc473", Profile::csc473}}};
 inline constexpr NameTable<IndexKind, 3> index_names{

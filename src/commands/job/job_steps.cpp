@@ -21,7 +21,10 @@ void settle_course(RenderJob& job) {
     if (!course) return;
     if (!job.environment.empty()) throw OptionError("--environment goes with another shading, not with the course's rules");
     if (job.povray_quality) throw OptionError("a quality (+Q) goes with another shading, not with the course's rules");
-    if (job.adc_bailout) throw OptionError("--adc-bailout goes with another shading, not with the course's rules");
+    for (const auto& [stated, option] :
+         {std::pair(job.adc_bailout.has_value(), "--adc-bailout"), std::pair(job.shadows.has_value(), "--shadows"),
+          std::pair(job.light_samples.has_value(), "--light-samples")})
+        if (stated) throw OptionError(fmt::format("{} goes with another shading, not with the course's rules", option));
     if (!job.course) job.course.emplace();
     give_course_its_depth(job);
 }
@@ -38,6 +41,7 @@ CompileOptions compile_options(const RenderJob& job, const Scene& scene) {
     options.profile = job.profile;
     options.precision = *job.precision;
     options.index = job.index;
+    options.light_samples = job.light_samples;
     options.threads = job.threads;
     options.general_shading = *job.shading == ShadingModel::general;
     if (options.general_shading) options.choose = [&](const Finish& finish) { return choice_for(scene, finish.options, job.model); };
@@ -98,6 +102,7 @@ RenderOptions render_options(const RenderJob& job, const Scene& scene) {
     if (*job.shading == ShadingModel::general) options.trace.lamps = choice_for(scene, {}, job.model).lamps;
     options.trace.max_trace_level = job.max_trace_level;
     options.trace.adc_bailout = job.adc_bailout;
+    options.trace.shadows = job.shadows.value_or(ShadowKind::full);
     options.trace.course = job.course;
     options.edges = job.edges;
     if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);

@@ -1,3 +1,4 @@
+#include "commands/base/names.h"
 #include "commands/base/values.h"
 #include "commands/job/render_draft.h"
 
@@ -8,6 +9,11 @@ void define_knobs(CommandLine& line, RenderJob& job) {
         job.max_trace_level = whole_number("max-trace-level", v, 1, GlobalSettings::highest_trace_level);
     });
     line.value("--adc-bailout", "X", "", [&](const std::string& v) { job.adc_bailout = real_number("adc-bailout", v, 0.0, unbounded); });
+    line.value("--shadows", "NAME", "", [&](const std::string& v) { job.shadows = value_of_name(shadow_names, "kind of shadows", v); });
+    line.value("--light-samples", "N", "", [&](const std::string& v) {
+        job.light_samples.reset();
+        if (v != "all") job.light_samples = whole_number("light-samples", v, 1, largest_side);
+    });
 }
 
 }  // namespace rt

@@ -44,6 +44,13 @@ constexpr std::array<KnobValue, 6> bailouts{{{"1/4", "--adc-bailout 0.25"},
                                              {"1/255", "--adc-bailout 0.00392156862745098"},
                                              {"1/1000", "--adc-bailout 0.001"},
                                              {"0", "--adc-bailout 0"}}};
+constexpr std::array<KnobValue, 3> shadow_kinds{{{"none", "--shadows none"}, {"opaque", "--shadows opaque"}, {"full", "--shadows full"}}};
+constexpr std::array<KnobValue, 6> light_samples{{{"1", "--light-samples 1"},
+                                                  {"2 x 2", "--light-samples 2"},
+                                                  {"3 x 3", "--light-samples 3"},
+                                                  {"5 x 5", "--light-samples 5"},
+                                                  {"9 x 9", "--light-samples 9"},
+                                                  {"the scene's", "--light-samples all"}}};
 constexpr std::array<KnobValue, 3> fresnels{
     {{"Schlick", "--F schlick"}, {"Schlick with a dip", "--F schlick-f82"}, {"exact", "--F conductor"}}};
 constexpr std::array<KnobValue, 3> distributions{{{"GGX", "--D ggx"}, {"Beckmann", "--D beckmann"}, {"Blinn", "--D blinn"}}};
@@ -65,6 +72,21 @@ bool always(const KnobScene&) { return true; }
 bool has_further_rays(const KnobScene& s) { return s.world.features.reflects || s.world.features.transmits; }
 /// The course's rules know no weight of a ray.
 bool has_weights(const KnobScene& s) { return !s.job.course && has_further_rays(s); }
+bool has_shadow_rays(const KnobScene& s) { return !s.job.povray_quality || Quality::povray(*s.job.povray_quality).shadows; }
+bool has_shadows(const KnobScene& s) {
+    const auto shines = [](const Light& light) { return !light.shadowless; };
+    const auto blocks = [](const CompiledObject& object) { return !object.no_shadow; };
+    return !s.job.course && has_shadow_rays(s) && std::any_of(s.world.lights.begin(), s.world.lights.end(), shines) &&
+           std::any_of(s.world.objects.begin(), s.world.objects.end(), blocks);
+}
+/// As the scene states them, since the world may have fewer lamps already.
+bool has_area_lights(const KnobScene& s) {
+    const bool shadows = has_shadow_rays(s) && s.job.shadows != ShadowKind::none;
+    return !s.job.course && std::any_of(s.scene.lights.begin(), s.scene.lights.end(), [&](const Light& light) {
+        const bool many = light.area && std::max(light.area->size1, light.area->size2) > 1;
+        return many && (light.area->area_illumination || (shadows && !light.shadowless));
+    });
+}
 bool reads_fresnel(const KnobScene& s) { return picture_reads("F", s.job, s.scene, s.world); }
 bool reads_distribution(const KnobScene& s) { return picture_reads("D", s.job, s.scene, s.world); }
 bool reads_masking(const KnobScene& s) { return picture_reads("G", s.job, s.scene, s.world); }
@@ -80,6 +102,8 @@ constexpr std::array table{
     Knob{"samples", "rays through a pixel", samples, "1", sampling, true, false, always},
     Knob{"max-trace-level", "rays that follow one another", levels, "", model, true, false, has_further_rays},
     Knob{"adc-bailout", "weight below which a ray is not followed", bailouts, "", model, true, false, has_weights},
+    Knob{"shadows", "what keeps light from a surface", shadow_kinds, "full", model, true, false, has_shadows},
+    Knob{"light-samples", "lamps in an area light", light_samples, "the scene's", model, true, true, has_area_lights},
     Knob{"fresnel", "reflectance by the angle", fresnels, "Schlick", model, true, true, reads_fresnel},
     Knob{"distribution", "shape of a highlight", distributions, "GGX", model, false, true, reads_distribution},
     Knob{"masking", "highlights at grazing angles", maskings, "GGX", model, false, true, reads_masking},

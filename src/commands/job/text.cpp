@@ -46,6 +46,10 @@ ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene) {
                     name_of(profile_names, job.profile), shading_text(job), name_of(distances_names, *job.distances),
                     name_of(precision_names, *job.precision), sampling_text(job.sampling), gamma_text(scene.settings.gamma));
     for (const ModelOption& option : job.model) options += fmt::format(" {}={}", option.key, option.value);
+    if (job.max_trace_level) options += fmt::format(" max-trace-level={}", *job.max_trace_level);
+    if (job.adc_bailout) options += fmt::format(" adc-bailout={}", *job.adc_bailout);
+    if (job.shadows) options += fmt::format(" shadows={}", name_of(shadow_names, *job.shadows));
+    if (job.light_samples) options += fmt::format(" light-samples={}", *job.light_samples);
     if (job.povray_quality) options += fmt::format(" quality={}", *job.povray_quality);
     if (job.region) options += fmt::format(" crop={},{},{},{}", job.region->x0, job.region->x1, job.region->y0, job.region->y1);
     if (job.parse.clock != 0.0) options += fmt::format(" clock={}", job.parse.clock);

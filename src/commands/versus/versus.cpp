@@ -18,6 +18,7 @@
 #include "commands/help.h"
 #include "commands/job/job_steps.h"
 #include "commands/job/povray_syntax.h"
+#include "commands/job/render_arguments.h"
 #include "commands/versus/program_told.h"
 #include "commands/versus/versus_reports.h"
 #include "commands/versus/versus_scene.h"
@@ -104,11 +105,29 @@ void settle_size(VersusSettings& settings) {
         throw OptionError(fmt::format("{} x {} pixels are too many to compare; at most {} are", width, height, most_pixels));
 }
 
+/// What both programs cannot share is refused by name, so that nobody takes it for a mistyped word.
+void refuse_options_of_a_render(const Words& words, const CommandLine& line) {
+    const Words known = line.long_names(), of_render = render_long_names();
+    const auto is_in = [](const Words& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (word == "--") return;
+        if (is_in(of_render, name) && !is_in(known, name))
+            throw OptionError(
+                fmt::format("'{}' is an option of a render and not of a comparison, in which both programs get size, --aa, "
+                            "-L, --define and --clock",
+                            name));
+    }
+}
+
 /// Words in any of the ways to write a render. Returns the help's text, or nothing.
 std::string read_words(const Words& words, VersusJob& job) {
     CommandLine line(versus_usage, versus_footer), trial_line(versus_usage, versus_footer);
     VersusJob trial;
     define(line, job), define(trial_line, trial);
+    refuse_options_of_a_render(words, line);
     const Translation translation = translate_povray_syntax(with_two_dashes(words, line),
                                                             {.takes_value = [&](const std::string& word) { return line.takes_value(word); },
                                                              .long_names = line.long_names(),

@@ -8,6 +8,7 @@
 #include "commands/job/job_steps.h"
 #include "commands/job/knobs.h"
 #include "commands/job/render_arguments.h"
+#include "commands/job/text.h"
 #include "core/source.h"
 #include "tests/commands/support.h"
 
@@ -104,14 +105,32 @@ TEST(Knobs, plain_values_are_those_of_a_plain_run) {
 }
 
 TEST(Knobs, are_felt_where_the_scene_has_what_they_are_about) {
-    EXPECT_THAT(felt(head + plain_sphere), ElementsAre("samples"));
-    EXPECT_THAT(felt(head + shiny_sphere), ElementsAre("samples", "fresnel", "distribution", "masking"));
-    EXPECT_THAT(felt(head + shiny_sphere, {"--shading", "povray"}), ElementsAre("samples"));
-    EXPECT_THAT(felt(head + mirrors), ElementsAre("samples", "max-trace-level", "adc-bailout"));
+    EXPECT_THAT(felt(head + plain_sphere), ElementsAre("samples", "shadows"));
+    EXPECT_THAT(felt(head + shiny_sphere), ElementsAre("samples", "shadows", "fresnel", "distribution", "masking"));
+    EXPECT_THAT(felt(head + shiny_sphere, {"--shading", "povray"}), ElementsAre("samples", "shadows"));
+    EXPECT_THAT(felt(head + mirrors), ElementsAre("samples", "max-trace-level", "adc-bailout", "shadows"));
     const std::string triangle = "triangle { <-1, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { rgb 1 } }\n";
-    EXPECT_THAT(felt(head + triangle), ElementsAre("samples")) << "one triangle is asked without an index";
-    EXPECT_THAT(felt(head + triangle, {"--index", "embree"}), ElementsAre("samples", "precision"));
+    EXPECT_THAT(felt(head + triangle), ElementsAre("samples", "shadows")) << "one triangle is asked without an index";
+    EXPECT_THAT(felt(head + triangle, {"--index", "embree"}), ElementsAre("samples", "shadows", "precision"));
     EXPECT_THAT(felt(head + mirrors, {"--profile", "csc473"}), ElementsAre("samples", "max-trace-level"));
+}
+
+TEST(Knobs, of_shadows_are_felt_where_something_casts_one) {
+    const auto scene = [](const std::string& light, const std::string& object) {
+        return "#version 3.7; global_settings { assumed_gamma 1 } light_source { <2, 3, -4> rgb 1 " + light + " } sphere { 0, 1 " + object +
+               " }";
+    };
+    EXPECT_THAT(felt(scene("", "")), ElementsAre("samples", "shadows"));
+    EXPECT_THAT(felt(scene("shadowless", "")), ElementsAre("samples"));
+    EXPECT_THAT(felt(scene("", "no_shadow")), ElementsAre("samples"));
+    EXPECT_THAT(felt(scene("", ""), {"+Q3"}), ElementsAre("samples"));
+    const std::string area = "area_light x, y, 3, 3 ";
+    EXPECT_THAT(felt(scene(area, "")), ElementsAre("samples", "shadows", "light-samples"));
+    EXPECT_THAT(felt(scene("area_light x, y, 1, 1", "")), ElementsAre("samples", "shadows"));
+    EXPECT_THAT(felt(scene(area + "shadowless", "")), ElementsAre("samples"));
+    EXPECT_THAT(felt(scene(area, ""), {"--shadows=none"}), ElementsAre("samples", "shadows"));
+    EXPECT_THAT(felt(scene(area + "area_illumination", ""), {"+Q3"}), ElementsAre("samples", "light-samples"));
+    EXPECT_THAT(felt(scene(area, ""), {"--light-samples=1"}), ElementsAre("samples", "shadows", "light-samples"));
 }
 
 TEST(Knobs, indirect_samples_are_of_the_course) {
@@ -163,6 +182,59 @@ TEST(Depth, under_the_courses_rules_counts_the_camera_ray_too) {
     turn(course.job, "--max-trace-level 1");
     EXPECT_EQ(course.job.course->further_rays, 0);
     EXPECT_EQ(Prepared(head + mirrors, {"--profile=csc473"}).job.course->further_rays, 6);
+}
+
+const std::string boxes = "box { <-2, -1.2, -1>, <2, -1, 1> pigment { rgb 1 } } sphere { y, 0.4 pigment { rgb 1 } }\n";
+
+std::string under_area_light(const std::string& counts) {
+    return "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 } light_source { <0.2, 4, -1> rgb 1 " +
+           counts + " } " + boxes;
+}
+
+TEST(LightSamples, are_as_if_the_scene_stated_so_few) {
+    const std::string nine = under_area_light("area_light 2*x, 2*z, 9, 2 adaptive 1");
+    const Prepared three(under_area_light("area_light 2*x, 2*z, 3, 2 adaptive 1"), {});
+    EXPECT_EQ(Prepared(nine, {"--light-samples=3"}).pixels(), three.pixels());
+    EXPECT_NE(Prepared(nine, {}).pixels(), three.pixels());
+    EXPECT_EQ(Prepared(nine, {"--light-samples", "1"}).pixels(), Prepared(under_area_light(""), {}).pixels());
+    EXPECT_EQ(Prepared(nine, {"--light-samples=3"}, {"--light-samples all"}).pixels(), Prepared(nine, {}).pixels());
+}
+
+TEST(Shading, of_the_course_has_shadows_of_its_own) {
+    for (const char* option : {"--adc-bailout=0.1", "--shadows=full", "--light-samples=2"}) {
+        const std::string name = std::string(option).substr(0, std::string(option).find('='));
+        try {
+            Prepared(head + plain_sphere, {"--profile=csc473", option});
+            ADD_FAILURE() << option;
+        } catch (const OptionError& error) {
+            EXPECT_EQ(error.what(), name + " goes with another shading, not with the course's rules");
+        }
+    }
+}
+
+TEST(Knobs, that_were_turned_are_told_in_the_picture) {
+    const auto options = [](const Words& words) {
+        const Prepared prepared(head + plain_sphere, words);
+        return picture_metadata(prepared.job, prepared.scene).text.at(2).second;
+    };
+    EXPECT_THAT(options({"--shadows=opaque", "--light-samples=2", "--max-trace-level=3", "--adc-bailout=0.5"}),
+                testing::EndsWith(" gamma=1 max-trace-level=3 adc-bailout=0.5 shadows=opaque light-samples=2"));
+    EXPECT_THAT(options({}), testing::EndsWith(" gamma=1"));
+}
+
+TEST(Knobs, have_values_in_words_that_are_known) {
+    const auto error_of = [](const char* words) -> std::string {
+        RenderJob job;
+        try {
+            turn(job, words);
+        } catch (const OptionError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(error_of("--shadows soft"), "'soft' is no kind of shadows; expected one of full, opaque, none");
+    EXPECT_EQ(error_of("--light-samples 0"), "light-samples: 0 is outside 1 to 1000000");
+    EXPECT_EQ(error_of("--light-samples few"), "light-samples: 'few' is no number");
 }
 
 }  // namespace

@@ -49,6 +49,18 @@ protected:
     }
 };
 
+TEST_F(Versus, OptionsThatPovrayLacksAreRefusedByName) {
+    here.write("a.pov", shiny_scene);
+    for (const std::string word : {"--shadows=none", "--light-samples=2", "--max-trace-level=3", "--ss=2"}) {
+        const Outcome outcome = versus({"a.pov", word});
+        EXPECT_EQ(outcome.status, 4) << word;
+        EXPECT_EQ(outcome.err, fmt::format("raytrace: '{}' is an option of a render and not of a comparison, in which both programs get "
+                                           "size, --aa, -L, --define and --clock\n",
+                                           word.substr(0, word.find('='))));
+    }
+    EXPECT_FALSE(here.has("versus-results"));
+}
+
 TEST_F(Versus, WithoutPovrayItSaysHowToInstallIt) {
     here.write("a.pov", shiny_scene);
     const std::string command = fmt::format("PATH=/nowhere '{}' versus a.pov > out 2> err", PROGRAM);
