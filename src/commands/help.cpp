@@ -184,9 +184,12 @@ the scene says, one ray a pixel.
                       1 is a point at its centre; all (default)
 --F --D --G NAME      terms of highlights: help shading
 --precision fast      triangles are found in single precision
+--specular-aa on      microfacet highlights that the camera sees are as wide as
+                      a sample at least, so that none is missed (off)
 -gi_samples=A,B       under the course's rules alone: help course
 
---shadows and --light-samples go with every shading but the course's.
+--shadows and --light-samples go with every shading but the course's,
+--specular-aa with none but the general one.
 )";
 
 constexpr const char* output_topic =

@@ -9,6 +9,8 @@
 
 namespace rt {
 
+struct Footprint;
+
 /// A point where a ray met a surface.
 struct SurfacePoint {
     Vec3 point{0.0};
@@ -18,7 +20,8 @@ struct SurfacePoint {
     double t = 0.0;       ///< length of the ray up to here
     double error = 0.0;   ///< bound of the distance between `point` and the surface; 0 where it does not matter
     std::uint32_t object = 0;
-    bool inside = false;  ///< the ray came from the side away from the shape's own normal
+    bool inside = false;                   ///< the ray came from the side away from the shape's own normal
+    const Footprint* footprint = nullptr;  ///< of a camera's ray, where highlights are widened
 };
 
 class DistanceRules {

@@ -33,6 +33,11 @@ LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
     return {to_light / distance, distance};
 }
 
+Vec3 LightSource::direction_beside(const Vec3& beside, const Vec3& point, const LightRay& ray) const {
+    if (light_->type == Light::Type::cylinder || light_->parallel) return ray.direction;
+    return unit_or_zero(point - beside + ray.distance * ray.direction);
+}
+
 double LightSource::cone(const Vec3& from_light) const {
     if (rules_.exponent_spots)
         return rules_.clamp_after ? spot_clamped_after(axis_, -from_light, light_->tightness) : spot(axis_, -from_light, light_->tightness);

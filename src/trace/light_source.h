@@ -23,6 +23,9 @@ public:
     /// the light is at the point, or a directed light has no direction.
     LightRay towards(const Vec3& location, const Vec3& point) const;
 
+    /// The direction at `beside`, not far from `point`, towards where `ray` leads from `point`.
+    Vec3 direction_beside(const Vec3& beside, const Vec3& point, const LightRay& ray) const;
+
     /// Factor on the light's colour at `point` along `ray`, which may lead to a sample: spot cone, cylinder (always the central one),
     /// fading with distance, the law of all lamps. Not NaN.
     double attenuation(const Vec3& point, const LightRay& ray) const;

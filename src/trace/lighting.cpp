@@ -2,6 +2,7 @@
 
 #include "shading/optics.h"
 #include "shading/povray_finish.h"
+#include "trace/footprint.h"
 
 namespace rt {
 namespace {
@@ -12,6 +13,8 @@ bool has_highlight(const SurfaceModel& model) { return model.s != 0.0 && model.s
 bool is_ungated(const SurfaceModel& model) {
     return has_highlight(model) && model.specular == SurfaceModel::Specular::phong && !model.phong_gate;
 }
+
+bool is_microfacet(const SurfaceModel& model) { return model.specular == SurfaceModel::Specular::microfacet; }
 
 bool is_dark(const Rgb& light) { return std::fabs(light.r) < 1e-10 && std::fabs(light.g) < 1e-10 && std::fabs(light.b) < 1e-10; }
 
@@ -86,7 +89,7 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
     if (illuminates_by_area) {
         area_illumination(source, arriving, view, result);
     } else {
-        add(view, ray.direction, n_dot_l, arriving, light.shadowless, result);
+        add(view, source, ray, n_dot_l, arriving, result);
     }
 }
 
@@ -101,12 +104,14 @@ void Lighting::area_illumination(const LightSource& source, const Rgb& light, co
             const double n_dot_l = dot(view.at.normal, ray.direction);
             if (!is_seen(view, n_dot_l, source.light().shadowless)) continue;
             const Rgb arriving = share * source.attenuation(view.at.point, ray) * light;
-            add(view, ray.direction, n_dot_l, arriving, source.light().shadowless, result);
+            add(view, source, ray, n_dot_l, arriving, result);
         }
     }
 }
 
-void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const {
+void Lighting::add(const View& view, const LightSource& source, const LightRay& ray, double n_dot_l, const Rgb& light,
+                   LocalLight& result) const {
+    const Vec3& l = ray.direction;
     const bool front = n_dot_l >= facing_ || view.both_sides;
     const double cos = std::fabs(n_dot_l);
     for (const ActiveLayer& layer : view.layers) {
@@ -115,10 +120,12 @@ void Lighting::add(const View& view, const Vec3& l, double n_dot_l, const Rgb& l
         double diffuse = std::fmax(0.0, front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
         if (general_) diffuse *= diffuse_factor(layer.finish->model, view.seen, l, cos);
         if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
-        if (shadowless || !view.any_highlight) continue;
+        if (source.light().shadowless || !view.any_highlight) continue;
         if (front) result.specular += arriving * povray_highlights(view, layer, l, n_dot_l);
         if (general_ && has_highlight(layer.finish->model) && (front || is_ungated(layer.finish->model)))
-            result.specular += arriving * catalogue_highlight(view, layer, l, n_dot_l);
+            result.specular += arriving * (view.at.footprint == nullptr || !is_microfacet(layer.finish->model)
+                                               ? catalogue_highlight(view, layer, l, n_dot_l)
+                                               : widened_highlight(view, layer, source, ray));
     }
 }
 
@@ -165,6 +172,13 @@ Rgb Lighting::catalogue_highlight(const View& view, const ActiveLayer& layer, co
     const Rgb lobe = model.s * highlight(model, view.seen, l, metallic_f0(layer.color.rgb, metallic));
     const bool tinted = metallic > 0.0 && model.specular != SurfaceModel::Specular::microfacet;
     return tinted ? lobe * metallic_tint(layer.color.rgb, metallic, std::fabs(n_dot_l)) : lobe;
+}
+
+/// The same, at least as wide as a sample.
+Rgb Lighting::widened_highlight(const View& view, const ActiveLayer& layer, const LightSource& source, const LightRay& ray) const {
+    SurfaceModel wide = layer.finish->model;
+    wide.alpha = widened_alpha(wide.alpha, view.at, source, ray);
+    return wide.s * highlight(wide, view.seen, ray.direction, metallic_f0(layer.color.rgb, layer.finish->finish.metallic));
 }
 
 }  // namespace rt

@@ -55,9 +55,10 @@ private:
     bool is_seen(const View& view, double n_dot_l, bool shadowless) const;
     void one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result);
     void area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const;
-    void add(const View& view, const Vec3& l, double n_dot_l, const Rgb& light, bool shadowless, LocalLight& result) const;
+    void add(const View& view, const LightSource& source, const LightRay& ray, double n_dot_l, const Rgb& light, LocalLight& result) const;
     Rgb povray_highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
     Rgb catalogue_highlight(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;
+    Rgb widened_highlight(const View& view, const ActiveLayer& layer, const LightSource& source, const LightRay& ray) const;
     void add_unshadowed(const LightSource& source, const View& view, const LightRay& ray, double n_dot_l, LocalLight& result) const;
 
     const World& world_;

@@ -40,6 +40,11 @@ struct Quality {
     static Quality povray(int n);
 };
 
+/// Samples in a row and in a column of the whole picture.
+struct SampleGrid {
+    int columns = 1, rows = 1;
+};
+
 struct TraceOptions {
     ShadingModel shading = ShadingModel::general;
     Distances distances = Distances::scaled;
@@ -47,6 +52,7 @@ struct TraceOptions {
     std::optional<double> adc_bailout;   ///< likewise
     Quality quality;
     ShadowKind shadows = ShadowKind::full;  ///< where `quality` has shadows
+    std::optional<SampleGrid> specular_aa;  ///< general: microfacet highlights at least as wide as the camera's samples; unset: as they are
     LampRules lamps;
     std::shared_ptr<const Environment> environment;  ///< instead of the scene's background
     std::optional<CourseRules> course;               ///< the course's rules instead of POV-Ray's: nothing above counts then

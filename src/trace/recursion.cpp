@@ -52,7 +52,9 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       layers_at_(world, options.quality.quick_colors),
       environment_(options.environment),
       max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, GlobalSettings::highest_trace_level)),
-      adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {}
+      adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {
+    if (options.specular_aa && options.shading == ShadingModel::general) footprints_.emplace(world, rules_, *options.specular_aa);
+}
 
 Radiance Recursion::camera_ray(const Ray& ray, RayLog* log) {
     log_ = log;
@@ -142,6 +144,8 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
                     .node = at_node};
     if (material.can_transmit || material.can_reflect) surface.crossing = meet(world_, inside(), object.interior);
     resolve_layers(surface, path.weight);
+    if (footprints_ && path.level == 1 && !path.straight)  // the camera's ray itself
+        surface.at.footprint = footprints_->around(path.ray, *found, surface.at, std::span(layers_).subspan(surface.first_layer));
     if (RayNode* record = node(at_node)) log_surface(*record, surface, *found);
 
     result.rgb += path.filter * local_light(surface);

@@ -1,6 +1,7 @@
 // The recursion of one worker: a ray to the light that comes back along it.
 #pragma once
 
+#include "trace/footprint.h"
 #include "trace/interior_list.h"
 #include "trace/lighting.h"
 #include "trace/tracer.h"
@@ -70,6 +71,7 @@ private:
     DistanceRules rules_;
     Lighting lighting_;
     SurfaceLayers layers_at_;
+    std::optional<Footprints> footprints_;
     std::shared_ptr<const Environment> environment_;
     int max_level_;
     double adc_bailout_;

@@ -23,7 +23,7 @@ void settle_course(RenderJob& job) {
     if (job.povray_quality) throw OptionError("a quality (+Q) goes with another shading, not with the course's rules");
     for (const auto& [stated, option] :
          {std::pair(job.adc_bailout.has_value(), "--adc-bailout"), std::pair(job.shadows.has_value(), "--shadows"),
-          std::pair(job.light_samples.has_value(), "--light-samples")})
+          std::pair(job.light_samples.has_value(), "--light-samples"), std::pair(job.specular_aa.has_value(), "--specular-aa")})
         if (stated) throw OptionError(fmt::format("{} goes with another shading, not with the course's rules", option));
     if (!job.course) job.course.emplace();
     give_course_its_depth(job);
@@ -32,6 +32,8 @@ void settle_course(RenderJob& job) {
 void fill_defaults(RenderJob& job) {
     settle_course(job);
     if (!job.shading) job.shading = job.course ? ShadingModel::povray : ShadingModel::general;
+    if (*job.shading == ShadingModel::povray && job.specular_aa.value_or(false))
+        throw OptionError("--specular-aa goes with the general shading: POV-Ray's own highlights have no width that it could change");
     if (!job.distances) job.distances = *job.shading == ShadingModel::povray ? Distances::povray : Distances::scaled;
     if (!job.precision) job.precision = CompileOptions{}.precision;
 }
@@ -103,6 +105,10 @@ RenderOptions render_options(const RenderJob& job, const Scene& scene) {
     options.trace.max_trace_level = job.max_trace_level;
     options.trace.adc_bailout = job.adc_bailout;
     options.trace.shadows = job.shadows.value_or(ShadowKind::full);
+    if (job.specular_aa.value_or(false)) {
+        const int n = samples_a_side(job.sampling);
+        options.trace.specular_aa = SampleGrid{job.width * n, job.height * n};
+    }
     options.trace.course = job.course;
     options.edges = job.edges;
     if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);

@@ -10,6 +10,7 @@ void define_knobs(CommandLine& line, RenderJob& job) {
     });
     line.value("--adc-bailout", "X", "", [&](const std::string& v) { job.adc_bailout = real_number("adc-bailout", v, 0.0, unbounded); });
     line.value("--shadows", "NAME", "", [&](const std::string& v) { job.shadows = value_of_name(shadow_names, "kind of shadows", v); });
+    line.value("--specular-aa", "ON", "", [&](const std::string& v) { job.specular_aa = on_or_off("specular-aa", v); });
     line.value("--light-samples", "N", "", [&](const std::string& v) {
         job.light_samples.reset();
         if (v != "all") job.light_samples = whole_number("light-samples", v, 1, largest_side);

@@ -51,6 +51,7 @@ constexpr std::array<KnobValue, 6> light_samples{{{"1", "--light-samples 1"},
                                                   {"5 x 5", "--light-samples 5"},
                                                   {"9 x 9", "--light-samples 9"},
                                                   {"the scene's", "--light-samples all"}}};
+constexpr std::array<KnobValue, 2> widenings{{{"on", "--specular-aa on"}, {"off", "--specular-aa off"}}};
 constexpr std::array<KnobValue, 3> fresnels{
     {{"Schlick", "--F schlick"}, {"Schlick with a dip", "--F schlick-f82"}, {"exact", "--F conductor"}}};
 constexpr std::array<KnobValue, 3> distributions{{{"GGX", "--D ggx"}, {"Beckmann", "--D beckmann"}, {"Blinn", "--D blinn"}}};
@@ -107,6 +108,7 @@ constexpr std::array table{
     Knob{"fresnel", "reflectance by the angle", fresnels, "Schlick", model, true, true, reads_fresnel},
     Knob{"distribution", "shape of a highlight", distributions, "GGX", model, false, true, reads_distribution},
     Knob{"masking", "highlights at grazing angles", maskings, "GGX", model, false, true, reads_masking},
+    Knob{"specular-aa", "highlights as wide as a sample", widenings, "off", sampling, true, false, reads_distribution},
     Knob{"precision", "numbers that triangles are found with", precisions, "exact", precision, true, true, has_indexed_triangles},
     Knob{"indirect-samples", "directions of indirect light", indirect, "64, 16", sampling, true, false, has_indirect_light},
 };

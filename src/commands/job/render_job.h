@@ -35,6 +35,7 @@ struct RenderJob {
     std::optional<int> max_trace_level;  ///< instead of the scene's; under the course's rules one more than their further rays
     std::optional<double> adc_bailout;   ///< likewise; the course's rules have none
     std::optional<ShadowKind> shadows;   ///< unset: full; the course's rules have their own
+    std::optional<bool> specular_aa;     ///< unset: off
     std::optional<int> light_samples;    ///< lamps along each side of an area light, at most; unset: the scene's
 
     // Choices that a scene file may make in `//! raytrace:` comments; what is set here came from the command line and wins.

@@ -50,6 +50,7 @@ ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene) {
     if (job.adc_bailout) options += fmt::format(" adc-bailout={}", *job.adc_bailout);
     if (job.shadows) options += fmt::format(" shadows={}", name_of(shadow_names, *job.shadows));
     if (job.light_samples) options += fmt::format(" light-samples={}", *job.light_samples);
+    if (job.specular_aa) options += fmt::format(" specular-aa={}", *job.specular_aa ? "on" : "off");
     if (job.povray_quality) options += fmt::format(" quality={}", *job.povray_quality);
     if (job.region) options += fmt::format(" crop={},{},{},{}", job.region->x0, job.region->x1, job.region->y0, job.region->y1);
     if (job.parse.clock != 0.0) options += fmt::format(" clock={}", job.parse.clock);

@@ -1,4 +1,5 @@
 // The table of knobs: every value is one of a render, and each is felt where it should be.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -106,7 +107,7 @@ TEST(Knobs, plain_values_are_those_of_a_plain_run) {
 
 TEST(Knobs, are_felt_where_the_scene_has_what_they_are_about) {
     EXPECT_THAT(felt(head + plain_sphere), ElementsAre("samples", "shadows"));
-    EXPECT_THAT(felt(head + shiny_sphere), ElementsAre("samples", "shadows", "fresnel", "distribution", "masking"));
+    EXPECT_THAT(felt(head + shiny_sphere), ElementsAre("samples", "shadows", "fresnel", "distribution", "masking", "specular-aa"));
     EXPECT_THAT(felt(head + shiny_sphere, {"--shading", "povray"}), ElementsAre("samples", "shadows"));
     EXPECT_THAT(felt(head + mirrors), ElementsAre("samples", "max-trace-level", "adc-bailout", "shadows"));
     const std::string triangle = "triangle { <-1, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { rgb 1 } }\n";
@@ -200,8 +201,41 @@ TEST(LightSamples, are_as_if_the_scene_stated_so_few) {
     EXPECT_EQ(Prepared(nine, {"--light-samples=3"}, {"--light-samples all"}).pixels(), Prepared(nine, {}).pixels());
 }
 
+double error_to(const std::vector<Pixel>& truth, const std::vector<Pixel>& pixels) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const double d = double{std::fmin(1.0f, pixels[i].g)} - double{std::fmin(1.0f, truth[i].g)};
+        sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(pixels.size()));
+}
+
+TEST(SpecularAa, brings_narrow_highlights_nearer_to_their_mean) {
+    std::string balls =
+        "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 0, -20> look_at 0 angle 30 }\n"
+        "light_source { <9, 9, -20> rgb 1 } #default { finish { ambient 0 diffuse 0 specular 0.5 roughness 0.2 } }\n";
+    for (int i = 0; i < 48; ++i)
+        balls += fmt::format("sphere {{ <{}, {}, 0>, 0.55 pigment {{ rgb 1 }} }}\n", i % 8 * 1.3 - 4.5, i / 8 * 1.3 - 3.2);
+    const std::vector<Pixel> truth = Prepared(balls, {"--ss=12"}).pixels(), plain = Prepared(balls, {}).pixels();
+    EXPECT_EQ(Prepared(balls, {"--specular-aa=off"}).pixels(), plain);
+    EXPECT_LT(error_to(truth, Prepared(balls, {"--specular-aa=on"}).pixels()), 0.75 * error_to(truth, plain));
+    EXPECT_LT(error_to(truth, Prepared(balls, {"--ss=2", "--specular-aa=on"}).pixels()),
+              0.75 * error_to(truth, Prepared(balls, {"--ss=2"}).pixels()));
+}
+
+TEST(SpecularAa, is_no_option_of_povrays_shading) {
+    EXPECT_NO_THROW(Prepared(head + shiny_sphere, {"--shading=povray", "--specular-aa=off"}));
+    try {
+        Prepared(head + shiny_sphere, {"--shading=povray", "--specular-aa=on"});
+        ADD_FAILURE();
+    } catch (const OptionError& error) {
+        EXPECT_STREQ(error.what(),
+                     "--specular-aa goes with the general shading: POV-Ray's own highlights have no width that it could change");
+    }
+}
+
 TEST(Shading, of_the_course_has_shadows_of_its_own) {
-    for (const char* option : {"--adc-bailout=0.1", "--shadows=full", "--light-samples=2"}) {
+    for (const char* option : {"--adc-bailout=0.1", "--shadows=full", "--light-samples=2", "--specular-aa=off"}) {
         const std::string name = std::string(option).substr(0, std::string(option).find('='));
         try {
             Prepared(head + plain_sphere, {"--profile=csc473", option});
@@ -217,8 +251,8 @@ TEST(Knobs, that_were_turned_are_told_in_the_picture) {
         const Prepared prepared(head + plain_sphere, words);
         return picture_metadata(prepared.job, prepared.scene).text.at(2).second;
     };
-    EXPECT_THAT(options({"--shadows=opaque", "--light-samples=2", "--max-trace-level=3", "--adc-bailout=0.5"}),
-                testing::EndsWith(" gamma=1 max-trace-level=3 adc-bailout=0.5 shadows=opaque light-samples=2"));
+    EXPECT_THAT(options({"--shadows=opaque", "--light-samples=2", "--max-trace-level=3", "--adc-bailout=0.5", "--specular-aa=on"}),
+                testing::EndsWith(" gamma=1 max-trace-level=3 adc-bailout=0.5 shadows=opaque light-samples=2 specular-aa=on"));
     EXPECT_THAT(options({}), testing::EndsWith(" gamma=1"));
 }
 
