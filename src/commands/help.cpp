@@ -162,6 +162,8 @@ constexpr const char* sampling_topic =
                     more get R x R more rays (R 3)
 --aa 2[,T[,R]]      POV-Ray's method 2: adaptive, R levels
 +A[T] +AMn +Rn      the same, as POV-Ray writes it; rendered as with -J
+--max-error E       rays where they lessen the error most, until the estimated
+                    RMSE of encoded channels (0..1) is below E
 --crop X0,X1,Y0,Y1  only that part; the rest of the picture stays black. A part
                     has the same bytes as in the whole picture
 )";

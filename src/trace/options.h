@@ -71,16 +71,18 @@ struct EdgeOptions {
 /// How pixels become samples.
 struct Sampling {
     enum class Method {
-        none,     ///< the pixel's centre
-        grid,     ///< the centres of n x n sub-pixels, averaged
-        povray1,  ///< POV-Ray's non-adaptive method, without jitter
-        povray2,  ///< POV-Ray's adaptive method, without jitter
+        none,      ///< the pixel's centre
+        grid,      ///< the centres of n x n sub-pixels, averaged
+        povray1,   ///< POV-Ray's non-adaptive method, without jitter
+        povray2,   ///< POV-Ray's adaptive method, without jitter
+        adaptive,  ///< more samples where they lessen the error most, until it is max_error (progressive.h)
     };
     Method method = Method::none;
     int depth = 3;           ///< grid: n; povray: +R, 1..9
     double threshold = 0.3;  ///< +A
     double gamma = 2.5;      ///< Antialias_Gamma: exponent 1/gamma in the comparison of colours
     int block = 32;          ///< +BS
+    double max_error = 0.0;  ///< adaptive: RMSE of the picture's encoded channels, which are 0..1
 };
 
 }  // namespace rt

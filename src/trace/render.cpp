@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "core/source.h"
-#include "trace/camera.h"
-#include "trace/edges.h"
+#include "trace/plane_sampler.h"
+#include "trace/progressive.h"
 
 namespace rt {
 namespace {
@@ -198,12 +198,9 @@ private:
 
 /// What one worker keeps from tile to tile.
 struct Worker {
-    std::unique_ptr<Tracer> tracer;
-    std::optional<EdgeLines> edges;
+    std::unique_ptr<PlaneSampler> plane;
     SamplingTask task;
     std::vector<Pixel> pixels;
-    std::vector<Ray> rays;
-    std::vector<Radiance> light;
     std::uint64_t non_finite = 0;
     bool complete = true;
 };
@@ -213,38 +210,10 @@ Comparison comparison_of(const RenderOptions& options) {
     return {gamma / options.sampling.gamma, options.working_srgb};
 }
 
-/// Light that a film cannot hold is as bright as it can hold, not infinite; what was not finite stays so.
-float in_film(double light) {
-    constexpr double most = std::numeric_limits<float>::max();
-    return static_cast<float>(std::isfinite(light) ? std::clamp(light, -most, most) : light);
-}
-
-Pixel pixel_of(const Rgb& rgb, double transmittance) {
-    return {in_film(rgb.r), in_film(rgb.g), in_film(rgb.b), static_cast<float>(transmittance)};
-}
-
 void prepare(Worker& worker, const World& world, const RenderOptions& options) {
-    worker.tracer = std::make_unique<Tracer>(world, options.trace);
-    if (options.edges.kind != EdgeOptions::Kind::off)
-        worker.edges.emplace(world, options.edges, options.trace.distances, options.width, options.height);
-    worker.task = {options.sampling, comparison_of(options), options.stop, {}};
-    worker.task.samples = [&world, &options, &worker](std::span<const Vec2> points, int scale, std::span<Pixel> pixels) {
-        worker.rays.resize(points.size());
-        worker.light.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i)
-            worker.rays[i] = camera_ray(world.camera, points[i].x, points[i].y, options.width * scale, options.height * scale);
-        worker.tracer->camera_rays(worker.rays, worker.light);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Radiance& light = worker.light[i];
-            pixels[i] = pixel_of(light.rgb, options.alpha ? light.transmittance : 0.0);
-        }
-        if (!worker.edges) return;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (worker.edges->covers(points[i], scale)) pixels[i] = pixel_of(options.edges.color, 0.0);
-    };
+    worker.plane = std::make_unique<PlaneSampler>(world, options);
+    worker.task = {options.sampling, comparison_of(options), options.stop, std::ref(*worker.plane)};
 }
-
-bool finite(const Pixel& p) { return std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b) && std::isfinite(p.transmittance); }
 
 /// Copies what of the tile is finished and inside the region. The film shows `frame`. Tiles never overlap, so no two workers touch one
 /// pixel.
@@ -261,13 +230,6 @@ void store(Worker& worker, const Region& tile, int rows, const Region& region, c
     }
 }
 
-Region clipped(const RenderOptions& options) {
-    Region r = options.region.value_or(Region{0, 0, options.width, options.height});
-    r.x0 = std::clamp(r.x0, 0, options.width), r.x1 = std::clamp(r.x1, r.x0, options.width);
-    r.y0 = std::clamp(r.y0, 0, options.height), r.y1 = std::clamp(r.y1, r.y0, options.height);
-    return r;
-}
-
 void check_limits(const RenderOptions& options) {
     check_picture_memory(options.width, options.height, available_memory());
     const double side = static_cast<double>(std::max(options.width, options.height)) * samples_a_side(options.sampling);
@@ -277,10 +239,18 @@ void check_limits(const RenderOptions& options) {
 
 }  // namespace
 
+Region rendered_region(const RenderOptions& options) {
+    Region r = options.region.value_or(Region{0, 0, options.width, options.height});
+    r.x0 = std::clamp(r.x0, 0, options.width), r.x1 = std::clamp(r.x1, r.x0, options.width);
+    r.y0 = std::clamp(r.y0, 0, options.height), r.y1 = std::clamp(r.y1, r.y0, options.height);
+    return r;
+}
+
 RenderResult render(const World& world, const RenderOptions& options) {
+    if (options.sampling.method == Sampling::Method::adaptive) return render_progressive(world, options, {});
     check_limits(options);
     RenderResult result;
-    const Region region = clipped(options);
+    const Region region = rendered_region(options);
     const Region frame = options.only_region ? region : Region{0, 0, options.width, options.height};
     result.film = Film(frame.width(), frame.height());
     const std::vector<Region> tiles = choose_tiles(options, region);
@@ -288,7 +258,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
     Progress progress(options.progress, tiles.size());
     const auto trace_tile = [&](int index, std::size_t tile) {
         Worker& worker = workers[index];
-        if (!worker.tracer) prepare(worker, world, options);
+        if (!worker.plane) prepare(worker, world, options);
         const int rows = worker.task.stopped() ? 0 : sample_tile(worker.task, tiles[tile], worker.pixels);
         store(worker, tiles[tile], rows, region, frame, result.film);
         if (rows == tiles[tile].height()) {
@@ -299,8 +269,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
     };
     result.threads = for_each_tile(options.threads, tiles.size(), trace_tile, options.rounding);
     for (const Worker& worker : workers) {
-        if (worker.tracer) result.counts += worker.tracer->counts();
-        if (worker.edges) result.counts.edge += worker.edges->rays;
+        if (worker.plane) result.counts += worker.plane->counts();
         result.non_finite += worker.non_finite;
         result.complete = result.complete && worker.complete;
     }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "film/encode.h"
 #include "film/film.h"
 #include "trace/rounding.h"
 #include "trace/sampling.h"
@@ -24,6 +25,7 @@ struct RenderOptions {
     double working_gamma = 1.0;
     bool working_srgb = false;  ///< the working space is the sRGB curve; working_gamma says nothing then
     bool alpha = false;         ///< the picture keeps its transmittance; otherwise it is 0 everywhere and anti-aliasing does not compare it
+    Encoding display;           ///< how the picture will be shown: errors of adaptive sampling are measured there
     TraceOptions trace;
     EdgeOptions edges;
     Rounding rounding = Rounding::nearest;      ///< of every operation of the workers
@@ -31,16 +33,29 @@ struct RenderOptions {
     std::function<void(double done)> progress;  ///< called from one worker at a time, done in 0..1, at most ten times a second
 };
 
+/// What adaptive sampling reached. Samples are those of a pixel.
+struct Convergence {
+    double error = 0.0;       ///< estimated RMSE, see progressive.h
+    bool reached = false;     ///< the error that was asked for
+    int rounds = 0;           ///< after the first sample of every pixel
+    int least = 1, most = 1;  ///< samples
+    double mean = 1.0;        ///< samples
+};
+
 struct RenderResult {
     Film film;
     RayCounts counts;
-    std::uint64_t non_finite = 0;  ///< pixels that came out as NaN or infinity (written as 0)
-    bool complete = true;          ///< false after a stop
-    int threads = 0;               ///< how many worked
+    std::uint64_t non_finite = 0;            ///< pixels that came out as NaN or infinity (written as 0)
+    bool complete = true;                    ///< false after a stop
+    int threads = 0;                         ///< how many worked
+    std::optional<Convergence> convergence;  ///< of adaptive sampling
 };
 
 /// Throws LimitError if the picture does not fit in memory, and whatever a worker or `progress` threw.
 RenderResult render(const World& world, const RenderOptions& options);
+
+/// The region, inside the picture.
+Region rendered_region(const RenderOptions& options);
 
 /// Bytes of a film; throws LimitError when `width` x `height` is not possible at all.
 std::uint64_t picture_memory(int width, int height);

@@ -62,6 +62,8 @@ int sample_tile(const SamplingTask& task, const Region& tile, std::vector<Pixel>
             return sample_povray1(task, tile, pixels);
         case Sampling::Method::povray2:
             return sample_povray2(task, tile, pixels);
+        case Sampling::Method::adaptive:
+            break;  // is no matter of one tile: render_progressive()
     }
     return 0;
 }

@@ -8,6 +8,7 @@
 #include "commands/base/program.h"
 #include "commands/base/values.h"
 #include "commands/job/course_scene.h"
+#include "commands/job/encoding.h"
 #include "commands/job/scene_choices.h"
 
 namespace rt {
@@ -111,6 +112,7 @@ RenderOptions render_options(const RenderJob& job, const Scene& scene) {
     }
     options.trace.course = job.course;
     options.edges = job.edges;
+    options.display = encoding_of(job, gamma);
     if (job.povray_quality) options.trace.quality = Quality::povray(*job.povray_quality);
     return options;
 }

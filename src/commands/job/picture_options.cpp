@@ -21,8 +21,7 @@ void define_picture(CommandLine& line, RenderDraft& d) {
     line.value("--format", "TYPE", "png, exr, hdr, tiff, jpeg, ppm, tga or bmp",
                [&](const std::string& v) { job.output.format = value_of_name(format_names, "picture format", v); });
     line.value("--povray-type", "TYPE", "", [&](const std::string& v) { job.output.format = povray_file_type(v, job.bits); });
-    line.value("--bits", "N", "8 (default) or 16 per channel; exr 16 or 32",
-               [&](const std::string& v) { job.bits = whole_number("bits per colour", v, 1, most_bits); });
+    line.value("--bits", "N", "", [&](const std::string& v) { job.bits = whole_number("bits per colour", v, 1, most_bits); });
     line.value("--output-to-file", "ON", "", [&](const std::string& v) { job.output.to_file = on_or_off("Output_to_File", v); });
     line.value("--output-alpha", "ON", "", [&](const std::string& v) { job.output_alpha = on_or_off("Output_Alpha", v); });
     line.value("-W,--width", "N", "columns (800)", [&](const std::string& v) { job.width = whole_number("width", v, 1, largest_side); });

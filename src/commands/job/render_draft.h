@@ -21,6 +21,7 @@ struct RenderDraft {
     std::string input;
     std::optional<Region> crop;
     std::optional<int> grid;
+    std::optional<double> max_error;
     bool antialias = false;
     std::optional<bool> jitter;
     std::optional<double> jitter_amount;

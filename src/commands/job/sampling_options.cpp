@@ -30,6 +30,8 @@ void define_sampling(CommandLine& line, RenderDraft& d) {
         d.antialias = true;
         if (!d.jitter) d.jitter = false;
     });
+    line.value("--max-error", "E", "samples until the RMSE of 0..1 is below E",
+               [&](const std::string& v) { d.max_error = real_number("max-error", v, 1e-4, 1.0); });
     line.value("--antialias", "ON", "", [&](const std::string& v) { d.antialias = on_or_off("Antialias", v); });
     line.value("--aa-method", "M", "", method);
     line.value("--aa-threshold", "T", "", threshold);
@@ -55,6 +57,12 @@ void choose_sampling(RenderDraft& d) {
         if (d.antialias) throw OptionError("-ss and anti-aliasing (+A, --aa) both choose the samples of a pixel; give one of them");
         sampling.method = *d.grid > 1 ? Sampling::Method::grid : Sampling::Method::none;
         sampling.depth = *d.grid;
+    }
+    if (d.max_error) {
+        if (d.grid || d.antialias)
+            throw OptionError("--max-error and --ss or anti-aliasing (+A, --aa) both choose the samples of a pixel; give one of them");
+        sampling.method = Sampling::Method::adaptive;
+        sampling.max_error = *d.max_error;
     }
     if (!d.antialias) return;
     if (!d.jitter && !d.jitter_amount)

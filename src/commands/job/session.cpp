@@ -112,6 +112,9 @@ int run_session(RenderJob job) {
         result = trace(world, job, scene, surroundings, signals);
     }
     if (result.non_finite > 0) messages(fmt::format("raytrace: warning: {} pixels were not finite and are black", result.non_finite));
+    if (const auto& reached = result.convergence; reached && result.complete && !reached->reached)
+        messages(fmt::format("raytrace: warning: the error is estimated to be {:.3g}, not {:.3g}: no pixel gets more than {} samples",
+                             reached->error, job.sampling.max_error, reached->most));
     int status = 0;
     {
         const Timed timed(stats.phases.write);
@@ -121,6 +124,7 @@ int run_session(RenderJob job) {
         stats.rays = result.counts;
         stats.threads = result.threads;
         stats.non_finite = result.non_finite;
+        stats.convergence = result.convergence;
         stats.peak_bytes = peak_memory();
         if (*job.shading == ShadingModel::general) stats.narrow = narrow_lobes(world, job.width, job.height, job.sampling);
         write_stderr(stats_text(job, scene, stats));

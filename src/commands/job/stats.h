@@ -27,6 +27,7 @@ struct Stats {
     Phases phases;
     NarrowLobes narrow;
     RayCounts rays;
+    std::optional<Convergence> convergence;
     int threads = 0;
     std::uint64_t non_finite = 0;
     std::size_t peak_bytes = 0;

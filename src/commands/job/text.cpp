@@ -22,6 +22,8 @@ std::string sampling_text(const Sampling& s) {
             return fmt::format("1,{},{}", s.threshold, s.depth);
         case Sampling::Method::povray2:
             return fmt::format("2,{},{}", s.threshold, s.depth);
+        case Sampling::Method::adaptive:
+            return fmt::format("adaptive,{}", s.max_error);
     }
     return "?";
 }
