@@ -1,4 +1,10 @@
 // How far the means of a picture's pixels may be from the converged picture, and which pixels deserve more samples.
+//
+// The points of a pixel (pixel_points.h) are spread so evenly that the squared error of the mean of n samples with variance s^2 falls as
+// s^2 n^-1.5 where an edge crosses the pixel, and faster where the light is smooth. Two things tell of a pixel's error: the variance of its
+// samples, and how much the mean of the last n/2 differs from that of the first n/2, which also sees what varies too finely for that law.
+// The larger one counts, as few samples may agree by chance; for the same reason a pixel of few samples is thought to be like its
+// neighbours, and one of a single sample as different from the converged picture as its neighbours are from it.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +21,8 @@ class SampledPicture {
 public:
     /// Errors are those of encoded channels, 0..1; with alpha there are four.
     SampledPicture(int width, int height, const Encoding& display);
+    /// Bytes.
+    static std::uint64_t memory(int width, int height) { return static_cast<std::uint64_t>(width) * height * sizeof(Sampled); }
 
     std::size_t size() const { return pixels_.size(); }
     int samples(std::size_t pixel) const { return pixels_[pixel].count; }
@@ -25,28 +33,32 @@ public:
     void add(std::size_t pixel, std::span<const Pixel> samples);
     /// Updates the errors of all pixels; between rounds.
     void estimate();
-    /// Estimated root of the mean squared error, as of the last estimate().
+    /// Estimated root of the mean squared error, as of the last estimate(). The true one is below it in nearly all pictures, and about half
+    /// of it on the average.
     double error() const;
     /// The pixels that lessen the error most for each further sample, as many of them as may bring it to `target`, but at most about half
     /// of what is to gain in this round. In order. None if none may have more than `most_samples`.
     std::vector<std::uint32_t> worst(double target, int most_samples) const;
-    /// How many samples a pixel gets when it is chosen.
+    /// How many samples a pixel gets when it is chosen: it has 1, 4, 8, 16, ...
     int next_batch(std::size_t pixel) const { return samples(pixel) < 2 ? 3 : samples(pixel); }
 
 private:
-    struct Shown {
+    struct Channels {
         float r = 0.0f, g = 0.0f, b = 0.0f, alpha = 0.0f;
     };
     struct Sampled {
         PixelSum sum;
-        Shown shown;          ///< the mean
-        float spread = 0.0f;  ///< squared error that a single sample is estimated to have
+        Channels deviations;  ///< sums of squared deviations from the mean
+        Channels shown;       ///< the mean, encoded
+        float halves = 0.0f;  ///< squared error that a single sample is estimated to have, by the difference of halves
+        float spread = 0.0f;  ///< the same by all that is known of the pixel alone
         float error = 0.0f;   ///< estimated squared error of the mean, in its surroundings
         int count = 0;
         bool finite = true;
     };
-    Shown show(const PixelSum& mean) const;
-    double squared(const Shown& a, const Shown& b) const;
+    Channels show(const PixelSum& mean) const;
+    double squared(const Channels& a, const Channels& b) const;
+    double variance_spread(const Sampled& p) const;
     double contrast(int x, int y) const;
     double surroundings(int x, int y) const;
 

@@ -111,7 +111,8 @@ private:
 }  // namespace
 
 RenderResult render_progressive(const World& world, const RenderOptions& options, const ProgressiveOptions& progressive) {
-    check_picture_memory(options.width, options.height, available_memory());
+    const Region region = rendered_region(options);
+    check_picture_memory(options.width, options.height, available_memory(), SampledPicture::memory(region.width(), region.height()));
     return ProgressiveRender(world, options).run(progressive);
 }
 

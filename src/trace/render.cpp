@@ -134,8 +134,8 @@ std::uint64_t picture_memory(int width, int height) {
     return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * sizeof(Pixel);
 }
 
-void check_picture_memory(int width, int height, std::uint64_t available) {
-    const std::uint64_t needed = picture_memory(width, height);
+void check_picture_memory(int width, int height, std::uint64_t available, std::uint64_t further) {
+    const std::uint64_t needed = picture_memory(width, height) + further;
     if (needed <= available) return;
     constexpr double gigabyte = 1e9;
     throw LimitError(fmt::format("A picture of {} x {} needs {:.1f} GB of memory; {:.1f} GB are available", width, height,

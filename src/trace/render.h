@@ -59,8 +59,8 @@ Region rendered_region(const RenderOptions& options);
 
 /// Bytes of a film; throws LimitError when `width` x `height` is not possible at all.
 std::uint64_t picture_memory(int width, int height);
-/// Throws LimitError when the picture needs more than `available` bytes.
-void check_picture_memory(int width, int height, std::uint64_t available);
+/// Throws LimitError when the picture needs more than `available` bytes, with `further` ones for what is known of its pixels.
+void check_picture_memory(int width, int height, std::uint64_t available, std::uint64_t further = 0);
 /// Physical memory that this process may still use, in bytes.
 std::uint64_t available_memory();
 
