@@ -163,9 +163,17 @@ constexpr const char* sampling_topic =
 --aa 2[,T[,R]]      POV-Ray's method 2: adaptive, R levels
 +A[T] +AMn +Rn      the same, as POV-Ray writes it; rendered as with -J
 --max-error E       rays where they lessen the error most, until the estimated
-                    RMSE of encoded channels (0..1) is below E
---crop X0,X1,Y0,Y1  only that part; the rest of the picture stays black. A part
-                    has the same bytes as in the whole picture
+                    RMSE of encoded channels (0..1) is below E: that of the
+                    part, with --crop
+--time S            the same until the program has run S seconds, writing
+                    included; a shorter time makes up what is not traced
+--preview           writes the picture with every 16th pixel of every 16th row
+                    traced and the rest made up, then with every 8th, 4th, 2nd,
+                    until it is the one without --preview. Ctrl-C keeps the
+                    best so far under its name
+--crop X0,X1,Y0,Y1  only columns X0 to X1-1 and rows Y0 to Y1-1, from 0; the
+                    rest stays black. A part has the same bytes as in the whole
+                    picture, but with --max-error and --time
 )";
 
 constexpr const char* knobs_topic =

@@ -33,13 +33,15 @@ struct RenderOptions {
     std::function<void(double done)> progress;  ///< called from one worker at a time, done in 0..1, at most ten times a second
 };
 
-/// What adaptive sampling reached. Samples are those of a pixel.
+/// How far a picture is that gets better step by step. Samples are those of a pixel.
 struct Convergence {
-    double error = 0.0;       ///< estimated RMSE, see progressive.h
-    bool reached = false;     ///< the error that was asked for
-    int rounds = 0;           ///< after the first sample of every pixel
-    int least = 1, most = 1;  ///< samples
-    double mean = 1.0;        ///< samples
+    int spacing = 0;              ///< every such column of every such row is traced, 0: not even that; 1: all pixels
+    double traced = 0.0;          ///< share of the pixels, 0..1
+    std::optional<double> error;  ///< estimated RMSE, see progressive.h; adaptive sampling only, once all pixels are traced
+    bool reached = false;         ///< the error that was asked for
+    int rounds = 0;               ///< of more samples
+    int least = 0, most = 0;      ///< samples
+    double mean = 0.0;            ///< samples
 };
 
 struct RenderResult {
@@ -48,7 +50,7 @@ struct RenderResult {
     std::uint64_t non_finite = 0;            ///< pixels that came out as NaN or infinity (written as 0)
     bool complete = true;                    ///< false after a stop
     int threads = 0;                         ///< how many worked
-    std::optional<Convergence> convergence;  ///< of adaptive sampling
+    std::optional<Convergence> convergence;  ///< of a progressive render
 };
 
 /// Throws LimitError if the picture does not fit in memory, and whatever a worker or `progress` threw.

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 6> flags{"-fresnel", "-altbrdf", "-beers"
 /// Ours that no course option resembles.
 constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
 constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};
+constexpr std::array<std::string_view, 5> picture_options{"-o", "--output", "--max-error", "--time", "--preview"};
 constexpr std::array<std::string_view, 3> page_options{"--html", "--grid", "--pixel"};
 constexpr int most_samples = 1 << 20;
 constexpr int most_bounces = 16;
@@ -77,7 +78,7 @@ void check_option(const CourseUsage& usage, const std::string& word) {
                                       ours.empty() ? "" : "; in our options it is ", ours));
     }
     const bool threads = name.size() > 2 && name.starts_with("-t") && name.find_first_not_of("0123456789", 2) == name.npos;
-    if ((name == "-o" || name == "--output") && !usage.writes_picture())
+    if (is_one_of(picture_options, name) && !usage.writes_picture())
         throw OptionError(fmt::format("option '{}' goes with render and raycast: {} writes no picture", name, usage.command));
     if (threads || name == "-ss" || is_one_of(short_options, name)) return;
     std::vector<std::string> known = render_long_names();

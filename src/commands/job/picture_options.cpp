@@ -32,7 +32,7 @@ void define_picture(CommandLine& line, RenderDraft& d) {
         job.width = whole_number("width", sides[0], 1, largest_side);
         job.height = whole_number("height", sides[1], 1, largest_side);
     });
-    line.value("--crop", "X0,X1,Y0,Y1", "only columns X0 to X1-1, rows Y0 to Y1-1; from 0", [&](const std::string& v) {
+    line.value("--crop", "X0,X1,Y0,Y1", "", [&](const std::string& v) {
         const std::vector<std::string> ends = split(v, ',');
         if (ends.size() != 4) throw OptionError(fmt::format("crop: expected X0,X1,Y0,Y1, not '{}'", v));
         const auto edge = [&](int i) { return whole_number("crop", ends[static_cast<std::size_t>(i)], 0, largest_side); };

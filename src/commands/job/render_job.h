@@ -31,6 +31,8 @@ struct RenderJob {
     std::optional<Region> region;
     int threads = 0;  ///< 0: all cores
     Sampling sampling;
+    std::optional<double> time;  ///< seconds that the whole program may take; sampling is adaptive then
+    bool preview = false;        ///< the picture is written while it is made, coarse at first
     std::optional<int> povray_quality;
     std::optional<int> max_trace_level;  ///< instead of the scene's; under the course's rules one more than their further rays
     std::optional<double> adc_bailout;   ///< likewise; the course's rules have none

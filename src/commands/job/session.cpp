@@ -8,14 +8,17 @@
 #include <filesystem>
 
 #include "commands/base/interrupt.h"
+#include "commands/base/process_age.h"
 #include "commands/base/program.h"
 #include "commands/base/progress.h"
 #include "commands/job/encoding.h"
 #include "commands/job/job_steps.h"
 #include "commands/job/stats.h"
+#include "commands/job/stepwise.h"
 #include "commands/job/surroundings.h"
 #include "commands/job/text.h"
 #include "commands/job/without_effect.h"
+#include "core/source.h"
 #include "film/image_file.h"
 
 namespace rt {
@@ -46,6 +49,12 @@ void check_memory(const RenderJob& job) {
                                      job.height, needed * 1e-9, installed * 1e-9));
 }
 
+/// A picture written there takes the place of the one before, and does not follow it.
+bool can_be_replaced(const std::string& path) {
+    std::error_code none;
+    return path != "-" && !path.empty() && (std::filesystem::is_regular_file(path, none) || !std::filesystem::exists(path, none));
+}
+
 /// Before the work: nobody waits for a picture that cannot be written, or not as it was asked for.
 void check_output(const RenderJob& job, const MessageSink& messages) {
     const OutputTarget target = output_target(job.output, job.scene);
@@ -53,6 +62,13 @@ void check_output(const RenderJob& job, const MessageSink& messages) {
     if (const std::string note = note_on_name(job.output, target); !note.empty()) messages("raytrace: note: " + note);
     for (const std::string& loss : format_losses(job, target.format)) messages("raytrace: warning: " + loss);
     if (target.path != "-") check_image_target(target.path, target.format);
+    if (job.preview && !can_be_replaced(target.path))
+        throw OptionError(
+            fmt::format("--preview writes the picture again and again, which '{}' does not allow; give it a file", target.path));
+}
+
+void write_film(const Film& film, const OutputTarget& target, const RenderJob& job, const Scene& scene) {
+    write_image(film, target.path, target.format, encoding_of(job, scene.settings.gamma), {picture_metadata(job, scene)});
 }
 
 RenderResult trace(const World& world, const RenderJob& job, const Scene& scene, std::shared_ptr<const Environment> surroundings,
@@ -64,24 +80,39 @@ RenderResult trace(const World& world, const RenderJob& job, const Scene& scene,
     options.stop = &signals.stop();
     options.trace.environment = std::move(surroundings);
     if (progress.shown()) options.progress = [&](double done) { progress.update(done); };
-    return render(world, options);
+    if (!job.preview && !job.time) return render(world, options);
+    const OutputTarget target = output_target(job.output, job.scene);
+    std::function<void(const Film&)> write;
+    if (can_be_replaced(target.path)) write = [&](const Film& film) { write_film(film, target, job, scene); };
+    return render_stepwise(world, options, job, write);
 }
 
-/// Returns the exit status.
+/// Returns the exit status. Of a preview the best picture so far takes the place of the ones before.
 int write(const RenderResult& result, const RenderJob& job, const Scene& scene) {
     OutputTarget target = output_target(job.output, job.scene);
-    if (!result.complete) {
-        if (target.path.empty() || target.path == "-" || !std::filesystem::path(target.path).has_extension()) {
+    const bool is_whole = result.convergence && result.convergence->spacing > 0;
+    if (!result.complete && !(job.preview && is_whole)) {
+        if (job.preview || target.path.empty() || target.path == "-" || !std::filesystem::path(target.path).has_extension()) {
             write_stderr("raytrace: interrupted\n");
             return exit_interrupted;
         }
         target.path = partial_name(target.path);
     }
-    if (!target.path.empty())
-        write_image(result.film, target.path, target.format, encoding_of(job, scene.settings.gamma), {picture_metadata(job, scene)});
+    if (!target.path.empty()) write_film(result.film, target, job, scene);
     if (result.complete) return 0;
-    write_stderr(fmt::format("raytrace: interrupted; what was finished is in '{}'\n", target.path));
+    write_stderr(
+        fmt::format("raytrace: interrupted; {} is in '{}'\n", job.preview ? "the picture so far" : "what was finished", target.path));
     return exit_interrupted;
+}
+
+/// What a sampling by error or time has come to.
+void tell_reached(const RenderResult& result, const RenderJob& job, const MessageSink& messages) {
+    if (!result.convergence || !result.complete) return;
+    const Convergence& reached = *result.convergence;
+    if (job.time) messages(fmt::format("raytrace: {}", reached_text(reached, process_age())));
+    if (!job.time && reached.error && !reached.reached)
+        messages(fmt::format("raytrace: warning: the error is estimated to be {:.3g}, not {:.3g}: no pixel gets more than {} samples",
+                             *reached.error, job.sampling.max_error, reached.most));
 }
 
 }  // namespace
@@ -112,14 +143,12 @@ int run_session(RenderJob job) {
         result = trace(world, job, scene, surroundings, signals);
     }
     if (result.non_finite > 0) messages(fmt::format("raytrace: warning: {} pixels were not finite and are black", result.non_finite));
-    if (const auto& reached = result.convergence; reached && result.complete && !reached->reached)
-        messages(fmt::format("raytrace: warning: the error is estimated to be {:.3g}, not {:.3g}: no pixel gets more than {} samples",
-                             reached->error, job.sampling.max_error, reached->most));
     int status = 0;
     {
         const Timed timed(stats.phases.write);
         status = write(result, job, scene);
     }
+    tell_reached(result, job, messages);
     if (job.stats) {
         stats.rays = result.counts;
         stats.threads = result.threads;

@@ -96,9 +96,9 @@ std::string stats_text(const RenderJob& job, const Scene& scene, const Stats& st
     text += ray_line("reflected", rays.reflected, p.trace) + ray_line("refracted", rays.refracted, p.trace);
     if (rays.edge > 0) text += ray_line("edge", rays.edge, p.trace);
     text += ray_line("all", all, p.trace);
-    if (const auto& c = stats.convergence)
+    if (const auto& c = stats.convergence; c && c->error)
         text += fmt::format("sampling: {} rounds, {} to {} samples a pixel, mean {:.2f}; estimated RMSE {:.3g}\n", c->rounds, c->least,
-                            c->most, c->mean, c->error);
+                            c->most, c->mean, *c->error);
     text += fmt::format("memory: peak {:.1f} MB\n", static_cast<double>(stats.peak_bytes) * 1e-6);
     text += fmt::format("threads: {}\n", stats.threads);
     text += fmt::format("precision: {}, distances: {}, shading: {}\n", name_of(precision_names, *job.precision),
