@@ -28,7 +28,7 @@ PLACED_NORMAL = (SURFACES, "return [[placed.to_world.normal(normal(placed.shape,
 COURSE_LOBE = (COURSE, ": [[course::blinn_phong(dot(point.normal, course::half_vector(l, point.to_viewer)), surface.roughness)]];")
 POVRAY_N_DOT_H = (LIGHTING, "specular_lobe([[dot(half, view.at.normal) / size]], ")
 DEPTH = (COURSE, "path.level < [[rules_.further_rays]]")
-POVRAY_DEPTH = (POVRAY, "max_level_([[std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, 256)]]),")
+POVRAY_DEPTH = (POVRAY, "max_level_([[std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, GlobalSettings::highest_trace_level)]]),")
 TRANSMISSION = (COURSE, "if ([[shares.transmission > 0.0]])")
 THROUGH = (POVRAY, "if ([[!through]]) return false;")
 SHADOW_LIT = (COURSE, "way != Vec3(0.0) && [[lit(point, light)]];")
@@ -78,8 +78,8 @@ FAULTS = {
         "the direction to the light has the light's distance as its length",
         [
             (COURSE, "const Vec3 l = [[unit(way)]];", "way"),
-            (LIGHTING, "add(view, [[ray.direction]], n_dot_l, arriving, light.", "ray.direction * ray.distance"),
-            (LIGHTING, "add(view, ray.direction, [[n_dot_l]], arriving, light.", "n_dot_l * ray.distance"),
+            (LIGHTING, "const Vec3& l = [[ray.direction]];", "ray.direction * ray.distance"),
+            (LIGHTING, "} else {\n        add(view, source, ray, [[n_dot_l]], arriving, result);", "n_dot_l * ray.distance"),
         ],
     ),
     "object_space_distance": (
@@ -224,7 +224,7 @@ FAULTS = {
         "there are no highlights",
         [
             (COURSE, "if ([[surface.specular == 0.0]]) continue;", "true"),
-            (LIGHTING, "if ([[shadowless || !view.any_highlight]]) continue;", "true"),
+            (LIGHTING, "if ([[source.light().shadowless || !view.any_highlight]]) continue;", "true"),
         ],
     ),
     "wrong_exponent": (
