@@ -46,6 +46,4 @@ RayCounts PlaneSampler::counts() const {
     return counts;
 }
 
-bool finite(const Pixel& p) { return std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b) && std::isfinite(p.transmittance); }
-
 }  // namespace rt
