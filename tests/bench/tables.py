@@ -146,7 +146,7 @@ def report(result):
 
 def summary(result):
     """What stands in the README."""
-    text = f"{machines.sentence(result['machine']).capitalize()}; medians of {result['runs']} runs in turn, pictures compared first. {code(result['machine'])}\n\n"
+    text = f"{machines.sentence(result['machine'])}; medians of {result['runs']} runs in turn, pictures compared first. {code(result['machine'])}\n\n"
     text += ratio_rows(result["peers"], short)
     rows = gains(result["peers"])
     if rows:
