@@ -293,6 +293,19 @@ class Build(unittest.TestCase):
         self.assertFalse(mark.exists())
         self.assertNotIn("T = 1.0000", json.dumps(results))
 
+    def test_what_lies_in_the_place_of_scratch_is_put_away(self):
+        victim = self.place / "victim"
+        victim.mkdir()
+        (victim / "file").write_text("mine")
+        self.submit("file", {"Makefile": script("'T = 1.0000'"), ".raytrace-scratch": "a file"})
+        self.submit("link", {"Makefile": script("'T = 1.0000'")})
+        (self.homework / "link" / ".raytrace-scratch").symlink_to(victim)
+        self.submit("between", {"CMakeLists.txt": CMAKE + f"file(REMOVE_RECURSE .raytrace-scratch)\nfile(CREATE_LINK {victim} .raytrace-scratch SYMBOLIC)\n",
+                                "main.cpp": SOURCE})
+        _, results = self.outcomes()
+        self.assertEqual({name: result["outcome"] for name, result in results.items()}, dict.fromkeys(("file", "link", "between"), "passed"))
+        self.assertEqual((victim / "file").read_text(), "mine")
+
     def test_one_program_that_is_none(self):
         run = subprocess.run([PROGRAM, "grade", self.suite, "--exe", self.place / "inputs", "-o", self.place / "out"], capture_output=True, text=True)
         self.assertEqual(run.returncode, 1)

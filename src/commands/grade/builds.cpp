@@ -131,10 +131,11 @@ private:
         const Limits limits = build_limits(jobs);
         if (const std::string problem = copy(); !problem.empty()) return problem;
         for (const BuildStep& step : build_steps(build_.copy, jobs)) {
+            std::error_code none;
+            fs::remove_all(scratch, none);  // whatever the submission, or the step before, has put there
             make_folder(scratch);
             const Ending ending =
                 run_contained({step.command, build_.copy, step.folder, {}, {}, scratch}, limits, grading_.containment, slot_);
-            std::error_code none;
             fs::remove_all(scratch, none);
             if (ending.kind == Ending::Kind::exited && ending.status == 0) continue;
             if (ending.least_room_bytes < least_room)

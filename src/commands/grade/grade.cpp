@@ -206,7 +206,10 @@ int run(GradeJob job) {
     make_folder(job.folder);
     job.folder = fs::canonical(job.folder).string();
     if (job.audit) return run_audit(job, asked);
-    if (!job.builds.empty()) job.builds = fs::absolute(job.builds).lexically_normal().string();
+    if (!job.builds.empty()) {
+        make_folder(job.builds);
+        job.builds = fs::canonical(job.builds).string();
+    }
     const Grading grading = grading_of(job, std::move(suite), messages);
     GradeRecord record{grading.suite.name, holes(grading.containment), job.shard, {}, asked.tests};
     for (const std::string& hole : record.holes) messages(fmt::format("raytrace: warning: {}", hole));
