@@ -164,7 +164,7 @@ TEST_F(SuiteFile, NamesForgeNoLines) {
     EXPECT_THAT(notes_, HasSubstr("note: test p1?[31m?raytrace: note: forged/gone is in the list but has no gone.args: left out\n"));
     EXPECT_THAT(notes_, HasSubstr("suite/p1?[31m?raytrace: note: forged/tests.json but run, as not required: test7, two??[2J\n"));
     EXPECT_EQ(notes_.find('\033'), notes_.npos);
-    for (const std::string path : {"none\033\n", ("suite/" + odd).c_str()}) try {
+    for (const std::string& path : {std::string("none\033\n"), "suite/" + odd}) try {
             fs::remove("suite/" + odd + "/test1.out");
             read(path);
             FAIL();
