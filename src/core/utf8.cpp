@@ -62,6 +62,11 @@ std::string shortened(std::string_view text, std::size_t most) {
     return shown.size() == text.size() ? std::string(text) : fmt::format("{}… ({} bytes more)", shown, text.size() - shown.size());
 }
 
+bool is_utf8(std::string_view text) {
+    while (const std::size_t size = utf8_character(text)) text.remove_prefix(size);
+    return text.empty();
+}
+
 std::string valid_utf8(std::string_view text) {
     std::string valid;
     while (!text.empty()) {

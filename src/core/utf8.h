@@ -16,6 +16,8 @@ std::string_view whole_characters(std::string_view text, std::size_t most);
 /// `text`, or its first `most` bytes at most and how many there are more: "abc… (2 bytes more)".
 std::string shortened(std::string_view text, std::size_t most);
 
+bool is_utf8(std::string_view text);
+
 /// `text` with U+FFFD in the place of every byte that belongs to no character.
 std::string valid_utf8(std::string_view text);
 

@@ -42,6 +42,13 @@ TEST(Utf8, WhatIsNoneIsCutAnywhere) {
     EXPECT_EQ(whole_characters("", 0), "");
 }
 
+TEST(Utf8, TextsAreItWhole) {
+    EXPECT_TRUE(is_utf8(""));
+    EXPECT_TRUE(is_utf8(std::string("a\0b", 3) + std::string(smile)));
+    EXPECT_FALSE(is_utf8("a\xFF"));
+    EXPECT_FALSE(is_utf8("\xE2\x82"));
+}
+
 TEST(Utf8, BytesThatAreNoneAreReplaced) {
     EXPECT_EQ(valid_utf8("a\n" + std::string(smile)), "a\n" + std::string(smile));
     EXPECT_EQ(valid_utf8("a\xFFz"), "a" + std::string(replacement) + "z");

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -17,12 +18,6 @@ bool is_plain(unsigned char c) {
 bool is_control(unsigned char c) { return c < 0x20 || c == 0x7f; }
 
 }  // namespace
-
-bool is_utf8(std::string_view text) {
-    // A JSON writer that drops what is none drops nothing.
-    const nlohmann::json json = std::string(text);
-    return nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::ignore)) == json;
-}
 
 std::string shell_word(std::string_view word) {
     if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);

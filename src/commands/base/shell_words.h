@@ -12,6 +12,4 @@ std::string shell_word(std::string_view word);
 /// A command, its words separated by blanks.
 std::string shell_words(const std::vector<std::string>& words);
 
-bool is_utf8(std::string_view text);
-
 }  // namespace rt

@@ -33,7 +33,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int exit_differs = 1, exit_nothing_compared = 4;
-constexpr std::size_t longest_path = 4096;
 constexpr long most_pixels = 1l << 25;  ///< 7680 x 4320 is less; comparing takes some 100 bytes for each
 
 struct VersusJob {
@@ -133,6 +132,7 @@ std::string read_words(const Words& words, VersusJob& job) {
                                                              .long_names = line.long_names(),
                                                              .try_out = [&](const Words& option) { trial_line.parse(option); },
                                                              .short_names = {"-j"}});
+    refuse_options_of_a_render(translation.words, line);
     const Words scenes = line.parse(translation.words);
     if (line.help_asked()) return line.help();
     job.scenes.insert(job.scenes.end(), scenes.begin(), scenes.end());
@@ -150,7 +150,7 @@ void settle_includes(VersusSettings& settings) {
     std::vector<std::string>& paths = settings.job.parse.library_paths;
     std::error_code none;
     for (const std::string& path : paths)
-        if (!fs::is_directory(path, none)) throw OptionError(fmt::format("--library: there is no folder '{}'", path));
+        if (!fs::is_directory(path, none)) throw OptionError(fmt::format("--library: there is no folder '{}'", printable(path)));
     settings.installed = installed_includes(settings.povray);
     std::vector<std::string> others = default_library_paths();
     others.insert(others.end(), settings.installed.begin(), settings.installed.end());
@@ -165,11 +165,12 @@ void settle_includes(VersusSettings& settings) {
 /// Asks POV-Ray for its version.
 void settle_povray(VersusSettings& settings) {
     const RunPlace place;
-    if (!povray_can_say(place.folder())) throw OptionError(fmt::format("TMPDIR: POV-Ray's command line cannot name '{}'", place.folder()));
+    if (!povray_can_say(place.folder()))
+        throw OptionError(fmt::format("TMPDIR: POV-Ray's command line cannot name '{}'", printable(place.folder())));
     const Ending ending = run_program_for(settings, {settings.povray, "--version"}, {place.folder(), place.folder()}, 0);
     settings.version = povray_version(ending.output), settings.povray_hash = hash_of_file(settings.povray);
     if (settings.version.empty())
-        throw OptionError(fmt::format("'{}' is not POV-Ray: --version prints no version of it{}{}", settings.povray,
+        throw OptionError(fmt::format("'{}' is not POV-Ray: --version prints no version of it{}{}", printable(settings.povray),
                                       ending.reason.empty() ? "" : "; ", ending.reason));
 }
 
@@ -196,9 +197,7 @@ std::vector<VersusScene> settle(VersusJob& job) {
 
 /// An .ini file that says nothing keeps others from POV-Ray.
 void make_output_folder(VersusJob& job) {
-    std::error_code error;
-    fs::create_directories(job.folder, error);
-    if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", job.folder, error.message()));
+    make_folder(job.folder);
     job.settings.folder = fs::canonical(job.folder).string();
     write_bytes(no_settings_file(job.settings), "; Nothing: the command line says all.\n");
 }
@@ -230,10 +229,7 @@ private:
 
     /// Nothing of an earlier comparison is taken for this one's.
     void begin(std::size_t i) {
-        const std::string folder = pictures_of(job_.settings, scenes_[i]);
-        std::error_code error;
-        fs::create_directories(folder, error);
-        if (error) throw OutputError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
+        make_folder(pictures_of(job_.settings, scenes_[i]));
         remove_result_of(job_.settings, scenes_[i]);
         started_[i] = Clock::now();
     }
@@ -287,7 +283,7 @@ int run(VersusJob job) {
     remove_left_places();                                     // of workers that an interruption ended
     if (!job.quiet) write_stdout(versus_table_text(record));  // even if the reports cannot be written
     write_versus_reports(record, job.settings.folder);
-    messages(fmt::format("raytrace: reports are in {}", printable(job.settings.folder, longest_path)));
+    messages(fmt::format("raytrace: reports are in {}", printable(job.settings.folder)));
     const int status = exit_status(record.results);
     if (status == exit_nothing_compared) messages("raytrace: nothing was compared: both programs refuse every scene");
     return status;

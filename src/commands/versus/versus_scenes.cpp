@@ -8,9 +8,9 @@
 #include <set>
 
 #include "commands/base/name_pattern.h"
-#include "commands/base/shell_words.h"
 #include "commands/base/values.h"
 #include "core/source.h"
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -49,14 +49,14 @@ void add(const std::string& argument, const fs::path& output, std::vector<Versus
     std::error_code error;
     fs::path path = fs::canonical(argument, error);
     if (error) path = fs::canonical(argument + ".pov", error);
-    if (error) throw OptionError(fmt::format("there is no scene or folder '{}'", argument));
+    if (error) throw OptionError(fmt::format("there is no scene or folder '{}'", printable(argument)));
     if (fs::is_regular_file(path)) {
         scenes.push_back({shown(path.stem()), path.string()});
         return;
     }
-    if (!fs::is_directory(path)) throw OptionError(fmt::format("'{}' is neither a scene nor a folder", argument));
+    if (!fs::is_directory(path)) throw OptionError(fmt::format("'{}' is neither a scene nor a folder", printable(argument)));
     const std::vector<fs::path> below = scenes_below(path, output);
-    if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", argument));
+    if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", printable(argument)));
     for (const fs::path& scene : below) {
         const fs::path inner = scene.lexically_relative(path).replace_extension();
         scenes.push_back({shown(path.filename() / inner), scene.string()});
@@ -99,7 +99,7 @@ std::vector<VersusScene> scenes_of(const std::vector<std::string>& arguments, co
     if (!only.empty()) {
         const auto wanted = name_pattern("only", only);
         std::erase_if(scenes, [&](const VersusScene& scene) { return !wanted(scene.name); });
-        if (scenes.empty()) throw OptionError(fmt::format("--only: no scene's name matches '{}'", only));
+        if (scenes.empty()) throw OptionError(fmt::format("--only: no scene's name matches '{}'", printable(only)));
     }
     return scenes;
 }

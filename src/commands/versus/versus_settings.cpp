@@ -13,6 +13,7 @@
 #include "commands/base/shell_words.h"
 #include "commands/base/values.h"
 #include "commands/job/render_arguments.h"
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -25,7 +26,8 @@ std::string declared(const std::string& name, const std::string& value) {
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);
     if (!value.empty() && *end == '\0') {
-        if (!std::isfinite(number)) throw OptionError(fmt::format("--define {}: expected a finite number, not '{}'", name, value));
+        if (!std::isfinite(number))
+            throw OptionError(fmt::format("--define {}: expected a finite number, not '{}'", name, printable(value)));
         return fmt::format("Declare={}={}", name, value);
     }
     const auto is_sayable = [](char c) { return c >= ' ' && c <= '~' && c != '\'' && c != '"' && c != '\\'; };
@@ -143,7 +145,7 @@ std::string picture_name(Maker maker) { return fmt::format("{}.png", name_of(mak
 std::string find_povray(const std::string& named) {
     constexpr const char* how_to_install = "On Debian:\n    sudo apt-get install povray povray-includes";
     if (!named.empty()) {
-        if (!is_program(named)) throw OptionError(fmt::format("--povray: '{}' is no program. {}", named, how_to_install));
+        if (!is_program(named)) throw OptionError(fmt::format("--povray: '{}' is no program. {}", printable(named), how_to_install));
         return fs::absolute(named).lexically_normal().string();
     }
     const char* path = std::getenv("PATH");

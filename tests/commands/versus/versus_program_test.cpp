@@ -97,6 +97,8 @@ TEST_F(Versus, MistakesAreStatusFour) {
     EXPECT_EQ(message({"a.pov", "--percent", "101"}), "raytrace: percent: 101 is outside 0 to 100\n");
     EXPECT_THAT(message({"a.pov", "--ss", "3"}), HasSubstr("--ss"));
     EXPECT_THAT(message({"a.pov", "+Q3"}), HasSubstr("--povray-quality"));
+    EXPECT_THAT(message({"a.pov", "+UA"}),
+                testing::StartsWith("raytrace: '--output-alpha' is an option of a render and not of a comparison"));
     EXPECT_FALSE(here.has("versus-results"));
 }
 

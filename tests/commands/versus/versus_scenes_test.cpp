@@ -39,7 +39,7 @@ TEST(VersusScenes, NamesAndWhatIsLeftOut) {
         }
         return std::string();
     };
-    EXPECT_EQ(message({"nowhere"}, ""), "there is no scene or folder 'nowhere'");
+    EXPECT_EQ(message({"no\nwhere"}, ""), "there is no scene or folder 'no?where'");
     EXPECT_EQ(message({"a/.hidden/.."}, "q"), "--only: no scene's name matches 'q'");
     EXPECT_EQ(message({"a"}, "("), "--only: '(' is no regular expression");
     std::filesystem::create_directory("empty");
