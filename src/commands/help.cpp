@@ -181,10 +181,10 @@ constexpr const char* knobs_topic =
 the scene says, one ray a pixel.
 
 --ss N, --aa M,T,R    rays through a pixel: help sampling
+--scale N             an N-th of the rows and columns is traced and enlarged
+                      (1); not with --max-error, --time and --preview
 --max-trace-level N   at most N rays follow one another, the camera's counted
-                      (the scene's max_trace_level)
---adc-bailout X       a ray that matters less than X is not followed (the
-                      scene's adc_bailout); 0 follows all
+--adc-bailout X       a ray that matters less than X is not followed; 0: all
 --shadows full        every surface keeps light away; what is transparent tints
                       it (default)
           opaque      what has a transparent place anywhere casts no shadow

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "core/source.h"
+#include "trace/enlarged.h"
 #include "trace/plane_sampler.h"
 #include "trace/progressive.h"
 
@@ -247,6 +248,7 @@ Region rendered_region(const RenderOptions& options) {
 }
 
 RenderResult render(const World& world, const RenderOptions& options) {
+    if (options.scale > 1) return render_enlarged(world, options);
     if (options.sampling.method == Sampling::Method::adaptive) return render_progressive(world, options, {});
     check_limits(options);
     RenderResult result;

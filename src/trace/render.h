@@ -21,6 +21,7 @@ struct RenderOptions {
     bool only_region = false;      ///< the film holds the region alone, not the whole picture
     int threads = 0;               ///< 0: all cores
     Sampling sampling;
+    int scale = 1;  ///< above 1: that fraction of its width and height is traced and enlarged; by render() alone
     /// The scene's working space, for the comparison of colours in anti-aliasing. A legacy scene has gamma 1.
     double working_gamma = 1.0;
     bool working_srgb = false;  ///< the working space is the sRGB curve; working_gamma says nothing then

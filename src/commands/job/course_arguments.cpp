@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 6> flags{"-fresnel", "-altbrdf", "-beers"
 /// Ours that no course option resembles.
 constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
 constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};
-constexpr std::array<std::string_view, 5> picture_options{"-o", "--output", "--max-error", "--time", "--preview"};
+constexpr std::array<std::string_view, 6> picture_options{"-o", "--output", "--max-error", "--time", "--preview", "--scale"};
 constexpr std::array<std::string_view, 3> page_options{"--html", "--grid", "--pixel"};
 constexpr int most_samples = 1 << 20;
 constexpr int most_bounces = 16;

@@ -97,6 +97,7 @@ RenderOptions render_options(const RenderJob& job, const Scene& scene) {
     options.region = job.region;
     options.threads = job.threads;
     options.sampling = job.sampling;
+    options.scale = job.scale;
     options.alpha = job.output_alpha;
     options.working_gamma = gamma.power;
     options.working_srgb = gamma.kind == Gamma::Kind::srgb;

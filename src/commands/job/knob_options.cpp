@@ -5,6 +5,7 @@
 namespace rt {
 
 void define_knobs(CommandLine& line, RenderJob& job) {
+    line.value("--scale", "N", "", [&](const std::string& v) { job.scale = whole_number("scale", v, 1, 64); });
     line.value("--max-trace-level", "N", "", [&](const std::string& v) {
         job.max_trace_level = whole_number("max-trace-level", v, 1, GlobalSettings::highest_trace_level);
     });

@@ -30,6 +30,7 @@ constexpr std::array<KnobValue, 13> samples{{{"1", "--ss 1"},
                                              {"8 x 8", "--ss 8"},
                                              {"12 x 12", "--ss 12"},
                                              {"16 x 16", "--ss 16"}}};
+constexpr std::array<KnobValue, 4> scales{{{"1/4", "--scale 4"}, {"1/3", "--scale 3"}, {"1/2", "--scale 2"}, {"all", "--scale 1"}}};
 constexpr std::array<KnobValue, 8> levels{{{"1", "--max-trace-level 1"},
                                            {"2", "--max-trace-level 2"},
                                            {"3", "--max-trace-level 3"},
@@ -101,6 +102,7 @@ constexpr auto sampling = ErrorSource::sampling, model = ErrorSource::model, pre
 
 constexpr std::array table{
     Knob{"samples", "rays through a pixel", samples, "1", sampling, true, false, always},
+    Knob{"scale", "share of width and height that is traced", scales, "all", sampling, true, false, always},
     Knob{"max-trace-level", "rays that follow one another", levels, "", model, true, false, has_further_rays},
     Knob{"adc-bailout", "weight below which a ray is not followed", bailouts, "", model, true, false, has_weights},
     Knob{"shadows", "what keeps light from a surface", shadow_kinds, "full", model, true, false, has_shadows},

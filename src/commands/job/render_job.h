@@ -31,6 +31,7 @@ struct RenderJob {
     std::optional<Region> region;
     int threads = 0;  ///< 0: all cores
     Sampling sampling;
+    int scale = 1;               ///< see RenderOptions
     std::optional<double> time;  ///< seconds that the whole program may take; sampling is adaptive then
     bool preview = false;        ///< the picture is written while it is made, coarse at first
     std::optional<int> povray_quality;

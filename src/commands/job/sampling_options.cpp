@@ -70,6 +70,10 @@ void choose_sampling(RenderDraft& d) {
         sampling.method = Sampling::Method::adaptive;
         sampling.max_error = d.max_error.value_or(error_below_sight);
     }
+    if (d.job.scale > 1) {
+        const std::string_view other = d.max_error ? "--max-error" : d.job.time ? "--time" : d.job.preview ? "--preview" : "";
+        if (!other.empty()) throw OptionError(fmt::format("{} and --scale both choose which pixels are traced; give one of them", other));
+    }
     if (!d.antialias) return;
     if (!d.jitter && !d.jitter_amount)
         d.job.notes.emplace_back("anti-aliasing is rendered without jitter, as with -J");

@@ -20,6 +20,7 @@
 #include "commands/job/without_effect.h"
 #include "core/source.h"
 #include "film/image_file.h"
+#include "trace/enlarged.h"
 
 namespace rt {
 
@@ -155,7 +156,8 @@ int run_session(RenderJob job) {
         stats.non_finite = result.non_finite;
         stats.convergence = result.convergence;
         stats.peak_bytes = peak_memory();
-        if (*job.shading == ShadingModel::general) stats.narrow = narrow_lobes(world, job.width, job.height, job.sampling);
+        if (*job.shading == ShadingModel::general)
+            stats.narrow = narrow_lobes(world, scaled_down(job.width, job.scale), scaled_down(job.height, job.scale), job.sampling);
         write_stderr(stats_text(job, scene, stats));
     }
     return status;

@@ -47,6 +47,7 @@ ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene) {
         fmt::format("size={}x{} profile={} shading={} distances={} precision={} aa={} gamma={}", job.width, job.height,
                     name_of(profile_names, job.profile), shading_text(job), name_of(distances_names, *job.distances),
                     name_of(precision_names, *job.precision), sampling_text(job.sampling), gamma_text(scene.settings.gamma));
+    if (job.scale > 1) options += fmt::format(" scale={}", job.scale);
     for (const ModelOption& option : job.model) options += fmt::format(" {}={}", option.key, option.value);
     if (job.max_trace_level) options += fmt::format(" max-trace-level={}", *job.max_trace_level);
     if (job.adc_bailout) options += fmt::format(" adc-bailout={}", *job.adc_bailout);

@@ -106,14 +106,14 @@ TEST(Knobs, plain_values_are_those_of_a_plain_run) {
 }
 
 TEST(Knobs, are_felt_where_the_scene_has_what_they_are_about) {
-    EXPECT_THAT(felt(head + plain_sphere), ElementsAre("samples", "shadows"));
-    EXPECT_THAT(felt(head + shiny_sphere), ElementsAre("samples", "shadows", "fresnel", "distribution", "masking", "specular-aa"));
-    EXPECT_THAT(felt(head + shiny_sphere, {"--shading", "povray"}), ElementsAre("samples", "shadows"));
-    EXPECT_THAT(felt(head + mirrors), ElementsAre("samples", "max-trace-level", "adc-bailout", "shadows"));
+    EXPECT_THAT(felt(head + plain_sphere), ElementsAre("samples", "scale", "shadows"));
+    EXPECT_THAT(felt(head + shiny_sphere), ElementsAre("samples", "scale", "shadows", "fresnel", "distribution", "masking", "specular-aa"));
+    EXPECT_THAT(felt(head + shiny_sphere, {"--shading", "povray"}), ElementsAre("samples", "scale", "shadows"));
+    EXPECT_THAT(felt(head + mirrors), ElementsAre("samples", "scale", "max-trace-level", "adc-bailout", "shadows"));
     const std::string triangle = "triangle { <-1, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { rgb 1 } }\n";
-    EXPECT_THAT(felt(head + triangle), ElementsAre("samples", "shadows")) << "one triangle is asked without an index";
-    EXPECT_THAT(felt(head + triangle, {"--index", "embree"}), ElementsAre("samples", "shadows", "precision"));
-    EXPECT_THAT(felt(head + mirrors, {"--profile", "csc473"}), ElementsAre("samples", "max-trace-level"));
+    EXPECT_THAT(felt(head + triangle), ElementsAre("samples", "scale", "shadows")) << "one triangle is asked without an index";
+    EXPECT_THAT(felt(head + triangle, {"--index", "embree"}), ElementsAre("samples", "scale", "shadows", "precision"));
+    EXPECT_THAT(felt(head + mirrors, {"--profile", "csc473"}), ElementsAre("samples", "scale", "max-trace-level"));
 }
 
 TEST(Knobs, of_shadows_are_felt_where_something_casts_one) {
@@ -121,17 +121,17 @@ TEST(Knobs, of_shadows_are_felt_where_something_casts_one) {
         return "#version 3.7; global_settings { assumed_gamma 1 } light_source { <2, 3, -4> rgb 1 " + light + " } sphere { 0, 1 " + object +
                " }";
     };
-    EXPECT_THAT(felt(scene("", "")), ElementsAre("samples", "shadows"));
-    EXPECT_THAT(felt(scene("shadowless", "")), ElementsAre("samples"));
-    EXPECT_THAT(felt(scene("", "no_shadow")), ElementsAre("samples"));
-    EXPECT_THAT(felt(scene("", ""), {"+Q3"}), ElementsAre("samples"));
+    EXPECT_THAT(felt(scene("", "")), ElementsAre("samples", "scale", "shadows"));
+    EXPECT_THAT(felt(scene("shadowless", "")), ElementsAre("samples", "scale"));
+    EXPECT_THAT(felt(scene("", "no_shadow")), ElementsAre("samples", "scale"));
+    EXPECT_THAT(felt(scene("", ""), {"+Q3"}), ElementsAre("samples", "scale"));
     const std::string area = "area_light x, y, 3, 3 ";
-    EXPECT_THAT(felt(scene(area, "")), ElementsAre("samples", "shadows", "light-samples"));
-    EXPECT_THAT(felt(scene("area_light x, y, 1, 1", "")), ElementsAre("samples", "shadows"));
-    EXPECT_THAT(felt(scene(area + "shadowless", "")), ElementsAre("samples"));
-    EXPECT_THAT(felt(scene(area, ""), {"--shadows=none"}), ElementsAre("samples", "shadows"));
-    EXPECT_THAT(felt(scene(area + "area_illumination", ""), {"+Q3"}), ElementsAre("samples", "light-samples"));
-    EXPECT_THAT(felt(scene(area, ""), {"--light-samples=1"}), ElementsAre("samples", "shadows", "light-samples"));
+    EXPECT_THAT(felt(scene(area, "")), ElementsAre("samples", "scale", "shadows", "light-samples"));
+    EXPECT_THAT(felt(scene("area_light x, y, 1, 1", "")), ElementsAre("samples", "scale", "shadows"));
+    EXPECT_THAT(felt(scene(area + "shadowless", "")), ElementsAre("samples", "scale"));
+    EXPECT_THAT(felt(scene(area, ""), {"--shadows=none"}), ElementsAre("samples", "scale", "shadows"));
+    EXPECT_THAT(felt(scene(area + "area_illumination", ""), {"+Q3"}), ElementsAre("samples", "scale", "light-samples"));
+    EXPECT_THAT(felt(scene(area, ""), {"--light-samples=1"}), ElementsAre("samples", "scale", "shadows", "light-samples"));
 }
 
 TEST(Knobs, indirect_samples_are_of_the_course) {
