@@ -89,7 +89,7 @@ TEST(ProgressiveEnd, ProgressIsOneInTheEndAndByTheErrorBefore) {
         return true;
     };
     render_progressive(world(), options, steps);
-    EXPECT_EQ(done, expected);
+    ASSERT_EQ(done, expected);
     EXPECT_LT(done.front(), 1.0);
     EXPECT_EQ(done.back(), 1.0);
     done.clear();

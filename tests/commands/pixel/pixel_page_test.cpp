@@ -220,6 +220,13 @@ TEST_F(PixelPageProgram, MistakesAreNamedBeforeAnyWork) {
     const std::string no_picture = "goes with render and raycast: pixeltrace writes no picture\n";
     EXPECT_EQ(error_of({"--html=a.html", "-o", "b.png"}), "raytrace: option '-o' " + no_picture);
     EXPECT_EQ(error_of({"--output=b.png"}), "raytrace: option '--output' " + no_picture);
+    EXPECT_EQ(error_of({"--max-error", "0.1"}), "raytrace: option '--max-error' " + no_picture);
+    EXPECT_EQ(error_of({"--html=a.html", "--max-error=0.1"}), "raytrace: option '--max-error' " + no_picture);
+    EXPECT_EQ(error_of({"--json", "--time=1"}), "raytrace: option '--time' " + no_picture);
+    EXPECT_EQ(error_of({"--preview"}), "raytrace: option '--preview' " + no_picture);
+    for (const std::string other : {"pixelray", "firsthit", "pixelcolor", "printrays"})
+        EXPECT_EQ(run({other, "a.pov", "8", "6", "1", "1", "--max-error=0.1"}).err,
+                  "raytrace: option '--max-error' goes with render and raycast: " + other + " writes no picture\n");
     EXPECT_EQ(run({"sceneinfo", "a.pov", "-o", "b.png"}).err,
               "raytrace: option '-o' goes with render and raycast: sceneinfo writes no picture\n");
     EXPECT_THAT(page({"--pixel=40,1"}).err, HasSubstr("--pixel: x"));
