@@ -5,24 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/extremes/bytes.h"
 #include "tests/extremes/renderer.h"
 
 namespace rt::extremes {
-
-/// 8 bits, sRGB, interleaved; pixels that are not a number are counted and black.
-struct Bytes {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> values;
-    int non_finite = 0;
-};
-
-Bytes encode(const Picture& picture);
-
-/// Pixels of which some channel is more than one step away, and the largest distance.
-struct Wrong {
-    int pixels = 0, steps = 0;
-};
-Wrong wrong(const Bytes& picture, const Bytes& truth);
 
 inline constexpr int picture_width = 129, picture_height = 97;  // odd: a pixel in the middle
 

@@ -5,28 +5,23 @@
 #include <limits>
 
 #include "tests/extremes/description.h"
-#include "tests/extremes/number.h"
+#include "tests/extremes/eye.h"
+#include "tests/extremes/picture.h"
 
 namespace rt::extremes {
-
-/// Linear light, row by row from the top.
-struct Picture {
-    int width = 0, height = 0;
-    std::vector<Rgb> pixels;
-};
 
 template <typename T, template <typename> typename Terms, typename S = T>
 class Renderer {
 public:
     /// `least_alpha` stands in for 0 where a form has no value there.
-    Renderer(const Description& description, double least_alpha) : scene_(description), least_alpha_(static_cast<S>(least_alpha)) { aim(); }
+    Renderer(const Description& description, double least_alpha)
+        : scene_(description), least_alpha_(static_cast<S>(least_alpha)), eye_(description.camera) {}
 
     Picture picture(int width, int height) const {
         Picture result{width, height, {}};
         for (int j = 0; j < height; ++j)
             for (int i = 0; i < width; ++i) {
-                const T u = (T(i) + T(0.5)) / T(width) - T(0.5), v = T(0.5) - (T(j) + T(0.5)) / T(height);
-                const Color c = light({origin_, unit(direction_ + u * right_ + v * up_)}, 0);
+                const Color c = light({eye_.origin, eye_.towards(i, j, width, height)}, 0);
                 result.pixels.emplace_back(static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z));
             }
         return result;
@@ -44,15 +39,6 @@ private:
         const Surface* surface = nullptr;
         T t{};
     };
-
-    /// POV-Ray's camera without an angle.
-    void aim() {
-        const Camera& camera = scene_.camera;
-        origin_ = V(camera.location), direction_ = V(camera.direction), right_ = V(camera.right), up_ = V(camera.up);
-        if (!camera.look_at) return;
-        const V z = unit(V(*camera.look_at) - origin_), x = unit(cross(V(camera.sky), z)), y = cross(z, x);
-        direction_ = length(direction_) * z, right_ = length(right_) * x, up_ = length(up_) * y;
-    }
 
     /// Nothing convex meets what leaves it; what goes on inside meets its other side.
     static bool meet(const Surface& surface, const Ray& ray, T& t) {
@@ -144,7 +130,7 @@ private:
 
     const Description& scene_;
     S least_alpha_;
-    V origin_, direction_, right_, up_;
+    Eye<T> eye_;
 };
 
 }  // namespace rt::extremes

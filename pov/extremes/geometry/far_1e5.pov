@@ -1,0 +1,5 @@
+// A still life of size 1 at 1e5 from the origin.
+#version 3.7;
+#declare Size = 1;
+#declare Place = 1e5*<1, 0.6, -0.8>;
+#include "still_life.inc"

@@ -1,0 +1,5 @@
+// A still life of size 1e3.
+#version 3.7;
+#declare Size = 1e3;
+#declare Place = <0, 0, 0>;
+#include "still_life.inc"

@@ -1,0 +1,5 @@
+// Lamps 1e-9 above a plane and a sphere; what lies on the plane is lit at as small an angle.
+#version 3.7;
+#declare Gap = 1e-9;
+#declare Near = 0.5/Gap;
+#include "touching.inc"
