@@ -26,13 +26,19 @@ struct SurfacePoint {
 
 class DistanceRules {
 public:
-    DistanceRules(Distances kind, double scene_extent) : povray_(kind == Distances::povray), floor_(16.0 * epsilon * scene_extent) {}
+    /// Of `World`: the largest coordinate of its bounded surfaces, and how large they are together.
+    DistanceRules(Distances kind, double scene_extent, double scene_size)
+        : povray_(kind == Distances::povray), floor_(16.0 * epsilon * scene_extent), size_(far * scene_size) {}
 
-    /// Rounding of a point reached by a ray of length t, and of the shape there: relative to the coordinates, and never below the spacing
-    /// of the largest coordinate in the scene. The relative part is generous (2^-33): a torus is a quartic.
+    /// Rounding of a point reached by a ray of length t, and of the shape there: never below the spacing of the largest coordinate in the
+    /// scene. What a shape's own equation loses is relative to the lengths that it is made of, and generous (2^-33): a torus is a quartic,
+    /// a triangle may be a needle. Coordinates far beyond the scene's size say only where it is; of them a few roundings are left, and
+    /// those of a transform that stretches (2^-44).
     double point_error(const Vec3& p, double t) const {
         if (povray_) return 0.0;
-        return floor_ + relative * (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) + t);
+        const double largest = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+        const double own = std::min(largest, size_);
+        return floor_ + relative * (own + t) + of_place * (largest - own);
     }
 
     /// Origin of a ray from `at` towards `direction`. Scaled rule: moved off the surface along the normal, so that a grazing ray clears it
@@ -54,8 +60,11 @@ public:
 private:
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
     static constexpr double relative = 0x1p-33;
+    static constexpr double of_place = 0x1p-44;
+    static constexpr double far = 256.0;
     bool povray_;
     double floor_;
+    double size_;
 };
 
 }  // namespace rt

@@ -19,7 +19,7 @@ double off_plane(const Ray& b, double t, const Vec3& point, const Vec3& side) {
 EdgeLines::EdgeLines(const World& world, const EdgeOptions& options, Distances distances, int width, int height)
     : world_(world),
       options_(options),
-      range_(DistanceRules(distances, world.scene_extent).traced()),
+      range_(DistanceRules(distances, world.scene_extent, world.scene_size).traced()),
       width_(width),
       height_(height),
       cos_crease_(std::cos(radians(options.crease_angle))) {}

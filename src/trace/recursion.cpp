@@ -47,7 +47,7 @@ double overflowed(double x) { return std::isnan(x) ? infinity : x; }
 Recursion::Recursion(const World& world, const TraceOptions& options)
     : world_(world),
       quality_(options.quality),
-      rules_(options.distances, world.scene_extent),
+      rules_(options.distances, world.scene_extent, world.scene_size),
       lighting_(world, options, rules_),
       layers_at_(world, options.quality.quick_colors),
       environment_(options.environment),

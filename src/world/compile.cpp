@@ -101,14 +101,14 @@ void find_camera_interiors(const Surfaces& surfaces, World& world) {
     }
 }
 
-double extent(const Surfaces& surfaces) {
-    double largest = 0.0;
+/// The box around the bounded surfaces.
+Bounds box_around(const Surfaces& surfaces) {
+    Bounds all;
     for (std::uint32_t object = 0; object < surfaces.objects.size(); ++object) {
         const Bounds box = surfaces.bounds(object);
-        if (box.is_finite() && surfaces.objects[object].count > 0)
-            largest = std::fmax(largest, std::fmax(max_component(-box.min), max_component(box.max)));
+        if (box.is_finite() && surfaces.objects[object].count > 0) all.extend(box);
     }
-    return largest;
+    return all;
 }
 
 Surfaces compile_objects(const Scene& scene, const CompileOptions& options, const MessageSink& warn, World& world) {
@@ -167,7 +167,10 @@ World compile(const Scene& scene, const CompileOptions& options, const MessageSi
     try {
         Surfaces surfaces = compile_objects(scene, options, warn, world);
         find_camera_interiors(surfaces, world);
-        world.scene_extent = extent(surfaces);
+        if (const Bounds box = box_around(surfaces); box.is_finite()) {
+            world.scene_extent = std::fmax(max_abs(box.min), max_abs(box.max));
+            world.scene_size = max_component(box.max - box.min);
+        }
         CompileOptions chosen = options;
         chosen.index = choose_index(world, options);
         world.surfaces = std::make_unique<SurfaceIndex>(std::move(surfaces), chosen);

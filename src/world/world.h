@@ -107,6 +107,7 @@ public:
     /// Language before 3.7: opacity is 1 - (filter * max(rgb) + transmit).
     bool legacy_opacity = false;
     double scene_extent = 0.0;  ///< largest absolute coordinate of the bounded surfaces
+    double scene_size = 0.0;    ///< longest side of the box around them
     Features features;
     std::unique_ptr<SurfaceIndex> surfaces;  ///< how rays are answered; made by `compile`
 };

@@ -38,6 +38,7 @@ TEST(Compile, EmptySceneHasNoFeaturesAndNoHits) {
     EXPECT_FALSE(f.transmits || f.refracts || f.reflects || f.fades || f.patterns || f.layers || f.area_lights || f.visibility_flags ||
                  f.catalogue);
     EXPECT_EQ(world.scene_extent, 0.0);
+    EXPECT_EQ(world.scene_size, 0.0);
 }
 
 TEST(Compile, BlackLightsAreLeftOut) {
@@ -310,10 +311,12 @@ TEST(Compile, LeavesTheFloatingPointEnvironmentAlone) {
     EXPECT_GT(tiny / 4.0, 0.0);
 }
 
-TEST(Compile, ExtentIsTheLargestCoordinateOfBoundedSurfaces) {
+TEST(Compile, ExtentAndSizeAreThoseOfTheBoundedSurfaces) {
     Scene scene;
-    scene.objects = {with_color(Sphere{{-3, 0, 0}, 2}, opaque), with_color(Plane{{0, 1, 0}, -100}, opaque)};
+    scene.objects = {with_color(Sphere{{-3, 0, 0}, 2}, opaque), with_color(Plane{{0, 1, 0}, -100}, opaque),
+                     with_color(Sphere{{1, 1, 0}, 0.5}, opaque)};
     EXPECT_NEAR(compiled(scene).scene_extent, 5.0, 1e-12);  // bounds are rounded outward
+    EXPECT_NEAR(compiled(scene).scene_size, 6.5, 1e-12);
 }
 
 }  // namespace

@@ -11,8 +11,9 @@ namespace rt::extremes {
 template <typename T>
 class ExactShapes {
 public:
-    /// `extent` is the scene's largest coordinate: what is nearer than 2^-90 of it touches, and does not count.
-    explicit ExactShapes(double extent) : touching_(T(extent) * T(0x1p-90)) {}
+    /// `extent` is the scene's largest coordinate. What is nearer than this share of it touches and does not count, and of surfaces that
+    /// are so near each other the first is met. A negative one turns both round: what touches counts, and the last is met.
+    ExactShapes(double extent, double touching) : touching_(T(extent) * T(touching)) {}
 
     std::optional<Meeting<T>> meet(const Body<T>& body, const BodyRay<T>& ray) const {
         const bool own = ray.from == &body;

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
         fmt::print("{:<18} unst {:>4}", v.truth.name, v.truth.unstable);
         auto p = [&](const Bytes& b) {
             Count c = count(b, v.truth);
-            fmt::print(" | {:>4} {:>3} {:>2} {:>3} {:>2}", c.wrong, c.steps, c.non_finite, c.speckles, c.lost);
+            fmt::print(" | {:>4} {:>3} {:>2} {:>3} {:>2}", c.wrong, c.steps, c.non_finite, c.speckles, c.unstable);
         };
         for (auto& b : v.ours) p(b);
         p(v.textbook_single);

@@ -14,7 +14,9 @@ namespace rt::extremes {
 template <typename T, template <typename> typename Shapes>
 class Reference {
 public:
-    explicit Reference(const Solids& solids) : scene_(solids), shapes_(solids.extent()), eye_(solids.camera) {
+    /// `touching`: see ExactShapes.
+    explicit Reference(const Solids& solids, double touching = 0x1p-90)
+        : scene_(solids), shapes_(solids.extent(), touching), eye_(solids.camera) {
         for (const Solid& solid : solids.solids) bodies_.emplace_back(solid);
         for (const Body<T>& body : bodies_)
             if (body.solid->glass && contains(body, eye_.origin)) around_camera_.push_back(&body);

@@ -11,7 +11,7 @@ namespace rt::extremes {
 template <typename T>
 class TextbookShapes {
 public:
-    explicit TextbookShapes(double) {}
+    TextbookShapes(double, double) {}
 
     std::optional<Meeting<T>> meet(const Body<T>& body, const BodyRay<T>& ray) const {
         switch (body.solid->kind) {

@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 /// 64 units in the last place of a double: about what the coordinates of a hit point have lost in any tracing in doubles.
 constexpr double shift = 0x1p-46;
+/// Surfaces that are nearer than a double can tell.
+constexpr double touching = 0x1p-52;
 
 template <typename T>
 Bytes textbook(const Solids& solids) {
@@ -53,9 +55,9 @@ Truth truth_of(const std::string& scene) {
     Truth truth{fs::path(scene).stem(), encode(reference.picture(geometry_width, geometry_height)), {}, 0, {}, solids.objects};
     truth.objects = reference.objects(geometry_width, geometry_height);
     truth.stable.assign(truth.objects.size(), true);
-    const Reference<long double, ExactShapes> quick(solids);
     for (const double sign : {-1.0, 1.0}) {
-        const Bytes moved = encode(quick.picture(geometry_width, geometry_height, sign * shift, shift));
+        const Reference<long double, ExactShapes> other(solids, sign * touching);
+        const Bytes moved = encode(other.picture(geometry_width, geometry_height, sign * shift, shift));
         for (std::size_t i = 0; i < truth.stable.size(); ++i)
             if (steps_apart(moved, truth.picture, i) > 1) truth.stable[i] = false;
     }
@@ -68,7 +70,10 @@ Count count(const Bytes& picture, const Truth& truth) {
     result.non_finite = picture.non_finite;
     std::vector<int> seen(truth.object_count + 1), missing(truth.object_count + 1);
     for (std::size_t i = 0; i < truth.stable.size(); ++i) {
-        if (!truth.stable[i]) continue;
+        if (!truth.stable[i]) {
+            result.unstable += steps_apart(picture, truth.picture, i) > 1;
+            continue;
+        }
         ++seen[truth.objects[i]];
         if (!is_wrong(picture, truth, i)) continue;
         ++missing[truth.objects[i]];

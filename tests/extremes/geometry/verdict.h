@@ -27,7 +27,8 @@ inline constexpr int geometry_width = 64, geometry_height = 48;
 struct Truth {
     std::string name;
     Bytes picture;             ///< 113 bits
-    std::vector<bool> stable;  ///< pixels that stay within one step when the camera moves by 2^-46 of the scene's largest coordinate
+    std::vector<bool> stable;  ///< pixels that stay within one step when the camera moves by 2^-46 of the scene's largest coordinate,
+    ///< and when of surfaces nearer than 2^-52 of it the first is met, or the last
     int unstable = 0;
     std::vector<std::size_t> objects;  ///< what the camera sees there; `object_count` where that is nothing
     std::size_t object_count = 0;
@@ -40,6 +41,7 @@ struct Count {
     int non_finite = 0;  ///< of all pixels
     int speckles = 0;    ///< wrong pixels most of whose neighbours are right
     int lost = 0;        ///< objects of whose visible pixels most are wrong
+    int unstable = 0;    ///< of the other pixels, those more than one step away
 };
 
 struct Verdict {
