@@ -43,9 +43,8 @@ struct Scratch {
     fs::path path;
 };
 
-/// Runs a command that writes `picture`, and its messages to `log`.
-Bytes picture_of(const std::string& command, const Scratch& picture, const Scratch& log) {
-    if (std::system(command.c_str()) != 0) throw std::runtime_error(command + "\n" + contents(log.path));
+/// What a command that writes messages to `log` has left in `picture`.
+Bytes picture_in(const Scratch& picture, const Scratch& log) {
     const StoredImage image = read_image(picture.path.string());
     Bytes bytes{image.width, image.height, {}, non_finite(contents(log.path))};
     for (const float value : image.values) bytes.values.push_back(static_cast<std::uint8_t>(value));
@@ -56,20 +55,22 @@ Bytes picture_of(const std::string& command, const Scratch& picture, const Scrat
 
 Bytes render(const std::string& scene, const std::string& options, int width, int height, std::string* png) {
     const Scratch picture(".png"), log(".log");
-    Bytes bytes = picture_of(fmt::format("'{}' '{}' {} -W {} -H {} -o '{}' 2>'{}'", PROGRAM, scene, options, width, height,
-                                         picture.path.string(), log.path.string()),
-                             picture, log);
+    const std::string command = fmt::format("'{}' '{}' {} -W {} -H {} -o '{}' 2>'{}'", PROGRAM, scene, options, width, height,
+                                            picture.path.string(), log.path.string());
+    if (std::system(command.c_str()) != 0) throw std::runtime_error(command + "\n" + contents(log.path));
     if (png != nullptr) *png = contents(picture.path);
-    return bytes;
+    return picture_in(picture, log);
 }
 
 bool has_povray() { return std::system("command -v povray >/dev/null 2>&1") == 0; }
 
-Bytes render_with_povray(const std::string& scene, int width, int height) {
+std::optional<Bytes> render_with_povray(const std::string& scene, int width, int height) {
     const Scratch picture(".png"), log(".log");
-    return picture_of(fmt::format("povray '+I{}' '+L{}' '+O{}' +W{} +H{} +FN8 -D -A File_Gamma=sRGB Dither=off >'{}' 2>&1", scene,
-                                  fs::path(scene).parent_path().string(), picture.path.string(), width, height, log.path.string()),
-                      picture, log);
+    const std::string command =
+        fmt::format("povray '+I{}' '+L{}' '+O{}' +W{} +H{} +FN8 -D -A File_Gamma=sRGB Dither=off >'{}' 2>&1", scene,
+                    fs::path(scene).parent_path().string(), picture.path.string(), width, height, log.path.string());
+    if (std::system(command.c_str()) != 0) return std::nullopt;
+    return picture_in(picture, log);
 }
 
 }  // namespace rt::extremes

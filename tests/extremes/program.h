@@ -1,6 +1,7 @@
 // Pictures that programs make of a scene file.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tests/extremes/bytes.h"
@@ -11,7 +12,7 @@ namespace rt::extremes {
 Bytes render(const std::string& scene, const std::string& options, int width, int height, std::string* png = nullptr);
 
 bool has_povray();
-/// POV-Ray's picture without anti-aliasing, encoded alike. Throws std::runtime_error if it fails.
-Bytes render_with_povray(const std::string& scene, int width, int height);
+/// POV-Ray's picture without anti-aliasing, encoded alike; nothing if it fails.
+std::optional<Bytes> render_with_povray(const std::string& scene, int width, int height);
 
 }  // namespace rt::extremes

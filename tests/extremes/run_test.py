@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What tests/extremes/run and its program say when something is wrong: a build that fails, a folder that cannot be written.
+"""What tests/extremes/run and its programs say when something is wrong: a build that fails, a folder that cannot be written.
 
-usage: run_test.py EXTREMES_PAGE
+usage: run_test.py EXTREMES_PAGE GEOMETRY_PAGE
 """
 
 import os
@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-PROGRAM = sys.argv.pop(1)
+PAGES = {sys.argv.pop(1): "index.html", sys.argv.pop(1): "geometry.html"}
 
 
 class Run(unittest.TestCase):
@@ -29,21 +29,24 @@ class Run(unittest.TestCase):
 
 class Page(unittest.TestCase):
     def test_a_page_that_cannot_be_written_is_told_before_the_work(self):
-        with tempfile.TemporaryDirectory() as folder:
-            os.mkdir(os.path.join(folder, "index.html"))
-            run = subprocess.run([PROGRAM, folder], capture_output=True, text=True)
-        self.assertEqual((run.returncode, run.stdout), (3, ""))
-        self.assertIn(os.path.join(folder, "index.html"), run.stderr)
+        for program, page in PAGES.items():
+            with tempfile.TemporaryDirectory() as folder:
+                os.mkdir(os.path.join(folder, page))
+                run = subprocess.run([program, folder], capture_output=True, text=True)
+                self.assertEqual((run.returncode, run.stdout), (3, ""))
+                self.assertIn(os.path.join(folder, page), run.stderr)
 
     def test_a_folder_that_cannot_be_made_is_told_before_the_work(self):
-        run = subprocess.run([PROGRAM, "/dev/null/page"], capture_output=True, text=True)
-        self.assertEqual((run.returncode, run.stdout), (3, ""))
-        self.assertIn("/dev/null/page", run.stderr)
+        for program in PAGES:
+            run = subprocess.run([program, "/dev/null/page"], capture_output=True, text=True)
+            self.assertEqual((run.returncode, run.stdout), (3, ""))
+            self.assertIn("/dev/null/page", run.stderr)
 
     def test_arguments_are_checked(self):
-        run = subprocess.run([PROGRAM], capture_output=True, text=True)
-        self.assertEqual(run.returncode, 2)
-        self.assertIn("usage: extremes_page FOLDER", run.stderr)
+        for program in PAGES:
+            run = subprocess.run([program], capture_output=True, text=True)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(f"usage: {os.path.basename(program)} FOLDER", run.stderr)
 
 
 unittest.main()

@@ -1,28 +1,23 @@
+// geometry_page FOLDER: writes FOLDER/geometry.html and prints a line a scene. Right is what rt::extremes::right() says of every scene.
 #include <fmt/format.h>
-#include <chrono>
-#include "tests/extremes/geometry/verdict.h"
-using namespace rt::extremes;
-int main(int argc, char** argv) {
-    for (const auto& s : geometry_scenes()) {
-        if (argc > 1 && s.find(argv[1]) == std::string::npos) continue;
-        auto t0 = std::chrono::steady_clock::now();
-        Verdict v;
-        try {
-            v = verdict(s);
-        } catch (std::exception& e) {
-            fmt::print("{}\n", e.what());
-            continue;
-        }
-        double dt = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-        fmt::print("{:<18} unst {:>4}", v.truth.name, v.truth.unstable);
-        auto p = [&](const Bytes& b) {
-            Count c = count(b, v.truth);
-            fmt::print(" | {:>4} {:>3} {:>2} {:>3} {:>2}", c.wrong, c.steps, c.non_finite, c.speckles, c.unstable);
-        };
-        for (auto& b : v.ours) p(b);
-        p(v.textbook_single);
-        p(v.textbook_double);
-        if (v.povray) p(*v.povray);
-        fmt::print("  {:.1f}s\n", dt);
+
+#include "tests/extremes/geometry/page.h"
+#include "tests/extremes/page_program.h"
+
+namespace {
+
+rt::extremes::Outcome work() {
+    std::vector<rt::extremes::Verdict> verdicts;
+    bool right = true;
+    fmt::print("{}\n", rt::extremes::geometry_head());
+    for (const std::string& scene : rt::extremes::geometry_scenes()) {
+        verdicts.push_back(rt::extremes::verdict(scene));
+        fmt::print("{}\n", rt::extremes::geometry_line(verdicts.back()));
+        right = right && rt::extremes::right(verdicts.back());
     }
+    return {rt::extremes::geometry_page(verdicts), right};
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return rt::extremes::page_program(argc, argv, "geometry_page", "geometry.html", work); }

@@ -49,6 +49,7 @@ struct Verdict {
     std::array<Bytes, settings.size()> ours;
     Bytes textbook_single, textbook_double;
     std::optional<Bytes> povray;
+    bool povray_refuses = false;  ///< it is installed, but does not render the scene
 };
 
 /// Scenes of pov/extremes/geometry, in order of their names: paths.
@@ -58,7 +59,16 @@ std::vector<std::string> geometry_scenes();
 Truth truth_of(const std::string& scene);
 Count count(const Bytes& picture, const Truth& truth);
 
-/// All pictures, POV-Ray's where it is installed. Throws std::runtime_error if a program fails.
+/// How many pixels a setting of the program may have wrong in that scene: what it is known not to do, 0 but for a few.
+int known_wrong(const std::string& name, std::size_t setting);
+/// No pixel of any setting is no number, and with scaled distances not more than known are wrong.
+bool right(const Verdict& verdict);
+
+/// The truth and the program's own pictures. Throws std::runtime_error if the program fails.
+Verdict verdict_of_ours(const std::string& scene);
+/// Textbook formulas in doubles.
+Bytes textbook_double(const std::string& scene);
+/// All pictures, POV-Ray's where it is installed.
 Verdict verdict(const std::string& scene);
 
 }  // namespace rt::extremes
