@@ -64,6 +64,13 @@ TEST_F(Cause, OfTheFirstHit) {
     EXPECT_EQ(of([](auto& n) { n[0].layers[0].rgb = Rgb(0.0); }), UnstableCause::pattern);
 }
 
+TEST_F(Cause, OfTheSameObjectsOtherSides) {
+    EXPECT_EQ(of([](auto& n) { n[0].t = 7.0; }), UnstableCause::secondary) << "the same face, farther away";
+    EXPECT_EQ(of([](auto& n) { n[0].inside = true; }), UnstableCause::secondary);
+    EXPECT_EQ(of([](auto& n) { n[0].normal = unit(Vec3(1, 2, 0)); }), UnstableCause::silhouette) << "a face that is turned by 27 degrees";
+    EXPECT_EQ(of([](auto& n) { n[0].object = 1, n[0].normal = {0, -1, 0}; }), UnstableCause::coincident) << "the back of another";
+}
+
 TEST_F(Cause, OfLaterRays) {
     EXPECT_EQ(of([](auto& n) { n.pop_back(); }), UnstableCause::depth);
     EXPECT_EQ(of([](auto& n) { n.push_back(n[1]); }), UnstableCause::depth);
