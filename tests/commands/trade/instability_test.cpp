@@ -149,5 +149,21 @@ TEST_F(Unstable, AStopLeavesNothing) {
     EXPECT_FALSE(instability(job, scene, options).complete);
 }
 
+Instability of_extreme_geometry(const std::string& name) {
+    RenderJob job;
+    job.scene = std::string(PROJECT_ROOT) + "/pov/extremes/geometry/" + name + ".pov";
+    job.width = 64, job.height = 48, job.threads = 1;
+    const Scene read = read_scene(job, message_sink(true));
+    return instability(job, read, render_options(job, read));
+}
+
+TEST(UnstableGeometry, OnlySurfacesInOnePlane) {
+    const Instability map = of_extreme_geometry("decals");
+    EXPECT_GT(map.pixels.size(), 200u);
+    EXPECT_EQ(map.by_cause[static_cast<std::size_t>(UnstableCause::coincident)], map.pixels.size());
+    for (const std::string name : {"scale_1e9", "far_1e8", "sheets_1e-9", "shells_1e-9", "needles_1e9", "mirrors_box", "touching_1e-9"})
+        EXPECT_THAT(of_extreme_geometry(name).pixels, testing::IsEmpty()) << name;
+}
+
 }  // namespace
 }  // namespace rt
