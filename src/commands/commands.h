@@ -22,6 +22,7 @@ int run_brdf_plot(const Words& words);
 int run_grade(const Words& words);
 int run_merge(const Words& words);
 int run_versus(const Words& words);
+int run_trade(const Words& words);
 int run_help(const Words& words);
 int run_version(const Words& words);
 /// Whether `word` is one of the course's commands.

@@ -15,12 +15,9 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> later_commands{"trade"};
-constexpr std::array<std::string_view, 18> available_commands{"render",    "raycast",    "sceneinfo", "pixelray", "firsthit", "pixelcolor",
-                                                              "printrays", "pixeltrace", "printbvh",  "requires", "compare",  "explain",
-                                                              "brdf",      "grade",      "merge",     "versus",   "help",     "version"};
-
-bool is_one_of(const auto& names, std::string_view word) { return std::find(names.begin(), names.end(), word) != names.end(); }
+constexpr std::array<std::string_view, 19> available_commands{
+    "render",  "raycast", "sceneinfo", "pixelray", "firsthit", "pixelcolor", "printrays", "pixeltrace", "printbvh", "requires",
+    "compare", "explain", "brdf",      "grade",    "merge",    "versus",     "trade",     "help",       "version"};
 
 /// A first word that is neither an option nor a file, but nearly a command.
 void refuse_mistyped_command(const std::string& word) {
@@ -45,9 +42,9 @@ int run_program(const Words& words) {
     if (first == "grade") return run_grade(rest);
     if (first == "merge") return run_merge(rest);
     if (first == "versus") return run_versus(rest);
+    if (first == "trade") return run_trade(rest);
     if (first == "help") return run_help(rest);
     if (first == "version" || first == "--version" || first == "-version") return run_version(rest);
-    if (is_one_of(later_commands, first)) throw OptionError(fmt::format("'{}' is not available in this version", first));
     refuse_mistyped_command(first);
     return run_render(words);
 }

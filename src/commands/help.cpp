@@ -12,8 +12,8 @@ namespace rt {
 
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
-    "Commands: requires compare versus explain grade merge brdf version; help on\n"
-    "povray scene shading edges sampling knobs output course suite pixel versus exit";
+    "Commands: requires compare versus trade explain grade merge brdf version; help\n"
+    "on povray scene shading edges sampling knobs quality output course pixel exit";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -324,9 +324,11 @@ in the scene's folder, read what you may read, write nowhere, have no network.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
-    {"povray", povray_topic},     {"scene", scene_topic}, {"shading", ""},          {"edges", edges_topic},
-    {"sampling", sampling_topic}, {"knobs", knobs_topic}, {"output", output_topic}, {"course", course_topic},
-    {"pixel", pixel_topic},       {"suite", suite_topic}, {"versus", versus_topic}, {"exit", exit_topic},
+    {"povray", povray_topic}, {"scene", scene_topic},       {"shading", ""},
+    {"edges", edges_topic},   {"sampling", sampling_topic}, {"knobs", knobs_topic},
+    {"output", output_topic}, {"course", course_topic},     {"pixel", pixel_topic},
+    {"suite", suite_topic},   {"versus", versus_topic},     {"trade", ""},
+    {"quality", ""},          {"exit", exit_topic},
 };
 
 }  // namespace
@@ -339,6 +341,8 @@ std::vector<std::string> help_topics() {
 
 std::string_view help_topic(std::string_view topic) {
     if (topic == "shading") return shading_topic();
+    if (topic == "trade") return trade_topic;
+    if (topic == "quality") return quality_topic;
     for (const auto& [name, text] : topics)
         if (name == topic) return text;
     return "";

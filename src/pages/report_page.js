@@ -65,7 +65,7 @@ function showRow(index) {
   shown = pictures.show(row);
 }
 
-/** The row that the address names, else the first one that is not good. */
+/** The row that the address names, else the one that the page names, else the first one that is not good. */
 function firstRow() {
   let name = null;
   try {
@@ -73,8 +73,11 @@ function firstRow() {
   } catch {
     // An address that nobody wrote for this page.
   }
-  const named = pageData.rows.findIndex((row) => row.name === name);
-  return named >= 0 ? named : Math.max(pageData.rows.findIndex((row) => !row.good), 0);
+  for (const wanted of [name, pageData.first]) {
+    const named = pageData.rows.findIndex((row) => row.name === wanted);
+    if (named >= 0) return named;
+  }
+  return Math.max(pageData.rows.findIndex((row) => !row.good), 0);
 }
 
 let shown = null; // a promise: the pictures of the selected row are seen

@@ -20,7 +20,7 @@ void expect_fits(const std::string& what, const std::string& text) {
 }
 
 TEST(Help, EveryCommandFitsAScreen) {
-    for (const char* name : {"", "requires", "compare", "versus", "explain", "grade", "merge", "brdf", "render", "sceneinfo"}) {
+    for (const char* name : {"", "requires", "compare", "versus", "trade", "explain", "grade", "merge", "brdf", "render", "sceneinfo"}) {
         const std::string command = name;
         std::vector<std::string> words;
         if (!command.empty()) words.push_back(command);

@@ -80,14 +80,7 @@ TEST_F(Program, MistakesEndWithStatusOneAndNoFile) {
     EXPECT_EQ(here.files(), (std::vector<std::string>{"a.pov", "bad.pov"}));
 }
 
-TEST_F(Program, WordsOfLaterVersionsSaySo) {
-    for (const char* name : {"trade"}) {
-        const std::string word = name;
-        const Outcome outcome = run({word, "a.pov"});
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_EQ(outcome.err, "raytrace: '" + word + "' is not available in this version\n");
-        EXPECT_EQ(outcome.out, "");
-    }
+TEST_F(Program, TellsItsVersion) {
     EXPECT_EQ(run({"version"}).out.find("raytrace "), 0u);
     EXPECT_EQ(run({"--version"}).status, 0);
 }

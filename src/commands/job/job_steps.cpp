@@ -9,6 +9,7 @@
 #include "commands/base/values.h"
 #include "commands/job/course_scene.h"
 #include "commands/job/encoding.h"
+#include "commands/job/quality.h"
 #include "commands/job/scene_choices.h"
 
 namespace rt {
@@ -78,6 +79,7 @@ Scene read_scene(RenderJob& job, const MessageSink& messages) {
     for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
     Scene scene = parse_file(job.scene, job.parse, messages);
     apply_scene_choices(scene, job);
+    apply_quality(job, scene);
     fill_defaults(job);
     if (job.course) check_course_scene(scene, messages);
     return scene;

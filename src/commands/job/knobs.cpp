@@ -17,19 +17,25 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<KnobValue, 13> samples{{{"1", "--ss 1"},
-                                             {"POV-Ray 1, 0.3, 2 x 2", "--aa 1,0.3,2"},
-                                             {"POV-Ray 1, 0.1, 3 x 3", "--aa 1,0.1,3"},
+constexpr std::array<KnobValue, 19> samples{{{"1", "--ss 1"},
                                              {"POV-Ray 2, 0.3, 2", "--aa 2,0.3,2"},
+                                             {"POV-Ray 1, 0.3, 2 x 2", "--aa 1,0.3,2"},
                                              {"2 x 2", "--ss 2"},
+                                             {"error 1/32", "--max-error 0.03125"},
+                                             {"POV-Ray 1, 0.1, 3 x 3", "--aa 1,0.1,3"},
                                              {"POV-Ray 2, 0.1, 3", "--aa 2,0.1,3"},
                                              {"3 x 3", "--ss 3"},
-                                             {"POV-Ray 2, 0.03, 4", "--aa 2,0.03,4"},
+                                             {"error 1/64", "--max-error 0.015625"},
                                              {"4 x 4", "--ss 4"},
+                                             {"POV-Ray 2, 0.03, 4", "--aa 2,0.03,4"},
+                                             {"error 1/128", "--max-error 0.0078125"},
                                              {"6 x 6", "--ss 6"},
                                              {"8 x 8", "--ss 8"},
+                                             {"error 1/256", "--max-error 0.00390625"},
                                              {"12 x 12", "--ss 12"},
-                                             {"16 x 16", "--ss 16"}}};
+                                             {"16 x 16", "--ss 16"},
+                                             {"error 1/512", "--max-error 0.001953125"},
+                                             {"error 1/1024", "--max-error 0.0009765625"}}};
 constexpr std::array<KnobValue, 4> scales{{{"1/4", "--scale 4"}, {"1/3", "--scale 3"}, {"1/2", "--scale 2"}, {"all", "--scale 1"}}};
 constexpr std::array<KnobValue, 8> levels{{{"1", "--max-trace-level 1"},
                                            {"2", "--max-trace-level 2"},

@@ -91,10 +91,15 @@ void check_together(std::span<const ModelOption> command_line) {
 
 ModelChoice choice_for(const Scene& scene, const std::vector<SceneOption>& finish, const std::vector<ModelOption>& command_line) {
     ModelChoice choice;
+    const auto apply_options = [&](bool implied) {
+        apply_in_order(std::span<const ModelOption>(command_line), [&](const ModelOption& option) {
+            if (option.implied == implied) choose(choice, option.key, option.value);
+        });
+    };
+    apply_options(true);
     apply_scene(scene, choice, scene.options);
     apply_scene(scene, choice, finish);
-    apply_in_order(std::span<const ModelOption>(command_line),
-                   [&](const ModelOption& option) { choose(choice, option.key, option.value); });
+    apply_options(false);
     check_together(command_line);
     return choice;
 }

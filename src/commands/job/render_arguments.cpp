@@ -6,6 +6,7 @@
 #include "commands/help.h"
 #include "commands/job/course_scene.h"
 #include "commands/job/povray_syntax.h"
+#include "commands/job/quality.h"
 #include "commands/job/render_draft.h"
 #include "core/source.h"
 
@@ -19,6 +20,7 @@ void define_render(CommandLine& line, RenderDraft& d) {
     define_sampling(line, d);
     define_shading(line, d.job);
     define_knobs(line, d.job);
+    define_quality(line, d);
     define_scene(line, d);
     define_run(line, d.job);
 }
@@ -66,6 +68,7 @@ std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std:
     define_sampling(line, draft);
     define_shading(line, draft.job);
     define_knobs(line, draft.job);
+    define_quality(line, draft);
     define_run(line, draft.job);
     line.values("--input", "FILE", "", [&](const std::string& v) { arguments.scenes.push_back(scene_path(v)); });
 
@@ -99,6 +102,7 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     choose_scene(draft, others);
     refuse_animation(draft);
     choose_sampling(draft);
+    choose_quality(draft, translation.words);
     check_dithering(draft);
     choose_region(draft);
     RenderJob& job = draft.job;

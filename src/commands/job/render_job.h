@@ -7,6 +7,7 @@
 
 #include "commands/base/output_name.h"
 #include "commands/job/model_choices.h"
+#include "commands/job/quality_choice.h"
 #include "film/encode.h"
 #include "syntax/parser.h"
 #include "trace/options.h"
@@ -46,6 +47,7 @@ struct RenderJob {
     std::optional<Distances> distances;  ///< unset: povray under the shading of that name, else scaled
     std::optional<Precision> precision;
 
+    ChosenQuality quality;                  ///< what of it no option states; carried out when the scene is read
     std::optional<CourseRules> course;      ///< under the course's profile, its own rules unless a shading is chosen
     std::vector<std::string> environment;   ///< one picture of all directions, or six of a cube; none: the scene's background
     std::vector<ModelOption> model;         ///< choices from the catalogue of shading, in order

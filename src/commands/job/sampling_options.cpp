@@ -52,7 +52,7 @@ void define_sampling(CommandLine& line, RenderDraft& d) {
     });
 }
 
-bool chooses_samples(const RenderDraft& d) { return d.antialias || d.grid.has_value(); }
+bool chooses_samples(const RenderDraft& d) { return d.antialias || d.grid || d.max_error; }
 
 void choose_sampling(RenderDraft& d) {
     Sampling& sampling = d.job.sampling;

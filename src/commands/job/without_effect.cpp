@@ -27,7 +27,8 @@ std::vector<Statement> statements_of(const RenderJob& job, const Scene& scene) {
     std::vector<Statement> in_file, options;
     for (const SceneOption& option : scene.options) state(in_file, {option.key, fmt::format("{}={}", option.key, option.value), true});
     for (const std::vector<ModelOption>* stated : {&job.model, &job.edge_options})
-        for (const ModelOption& option : *stated) state(options, {option.key, "--" + option.key, false});
+        for (const ModelOption& option : *stated)
+            if (!option.implied) state(options, {option.key, "--" + option.key, false});
     options.insert(options.end(), in_file.begin(), in_file.end());
     return options;
 }

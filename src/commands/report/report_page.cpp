@@ -34,6 +34,8 @@ std::string head_of(const ReportPage& page) {
     Json head = {{"format", "raytrace report 1"}, {"version", program_version()}, {"title", page.title}, {"about", page.about}};
     head["facts"] = page.facts, head["notes"] = page.notes;
     if (!page.back_href.empty()) head["back"] = {{"href", page.back_href}, {"text", page.back}};
+    if (!page.first.empty()) head["first"] = page.first;
+    for (const auto& [name, value] : page.more.items()) head[name] = value;
     head["rows_name"] = page.rows_name, head["bad_name"] = page.bad_name, head["columns"] = columns;
     std::string text = json_line(head);
     text.pop_back();
@@ -65,7 +67,7 @@ Json pictures_of(const ReportRow& row, PagePictures& embedded, const PictureChoi
 
 std::string data_of(const ReportPage& page, PagePictures& embedded, const PictureChoice& choice) {
     std::vector<Json> pictures(page.rows.size());
-    for (const bool good : {false, true})
+    for (const bool good : {choice.good_first, !choice.good_first})
         for (std::size_t i = 0; i < page.rows.size(); ++i)
             if (is_good(page.rows[i]) == good) pictures[i] = pictures_of(page.rows[i], embedded, choice);
     std::string text = head_of(page) + ",\n\"rows\":[";
@@ -82,7 +84,7 @@ std::string data_of(const ReportPage& page, PagePictures& embedded, const Pictur
 std::string report_page(const ReportPage& page, const PictureChoice& choice) {
     PagePictures embedded(choice.most_bytes);
     std::string data = data_of(page, embedded, choice);
-    return assemble_page({"report_page.html", std::move(data), embedded.take()});
+    return assemble_page({page.skeleton, std::move(data), embedded.take()});
 }
 
 std::string report_index(const ReportPage& page) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rt {
@@ -52,15 +53,19 @@ struct ReportPage {
     std::string back_href, back;          ///< a link in the head, relative; empty: none
     std::string rows_name = "tests";      ///< what a row is, many of them
     std::string bad_name = "Not passed";  ///< what those that are not good are called
+    std::string first;                    ///< name of the row that is shown first; empty: the first that is not good
     std::vector<ReportColumn> columns;    ///< the first names the row, the second may be its outcome
     std::vector<ReportRow> rows;
+    std::string_view skeleton = "report_page.html";
+    nlohmann::ordered_json more;  ///< an object: members of the page's data for scripts of that skeleton alone
 };
 
 /// Which pictures stand in a page.
 struct PictureChoice {
     std::uint64_t most_bytes = 64ull << 20;  ///< of all files together; pictures of rows that are not good come first
     bool of_good_rows = true;
-    std::string left_out;  ///< said of a picture that is left out
+    std::string left_out;     ///< said of a picture that is left out
+    bool good_first = false;  ///< those of good rows come first instead
 };
 
 /// The page: one file that asks the network for nothing. Files of the same bytes stand in it once; what is no plain PNG (8 or 16 bits, no
