@@ -70,7 +70,7 @@ bool turns(const std::vector<std::string>& words, const Knob& knob) {
 
 void choose_quality(RenderDraft& d, const std::vector<std::string>& words) {
     std::erase_if(d.job.quality.choices, [&](const QualityChoice& choice) {
-        const bool samples = choice.knob == "samples" && (chooses_samples(d) || d.job.time);
+        const bool samples = choice.knob == "samples" && (chooses_samples(d) || d.job.time || d.job.scale > 1);
         return samples || turns(words, *find_knob(choice.knob));
     });
 }

@@ -8,15 +8,17 @@ namespace rt {
 
 namespace {
 
-/// A list of settings without repetitions.
+/// A list of settings that a command line takes, without repetitions.
 class PlanList {
 public:
+    explicit PlanList(const TurnedKnobs& knobs) : knobs_(knobs) {}
     void add(const Setting& setting, Origin origin) {
-        if (known_.insert(setting).second) list.push_back({setting, origin});
+        if (goes_together(setting, knobs_) && known_.insert(setting).second) list.push_back({setting, origin});
     }
     std::vector<PlannedSetting> list;
 
 private:
+    const TurnedKnobs& knobs_;
     std::set<Setting> known_;
 };
 
@@ -75,7 +77,7 @@ std::vector<Candidate> candidates(const TradeRecord& record, int radius) {
     std::vector<Candidate> list;
     for (const std::size_t from : front)
         each_neighbour(record.settings[from].setting, record.knobs, turned, radius, [&](const Setting& setting) {
-            if (known.contains(setting)) return;
+            if (known.contains(setting) || !goes_together(setting, record.knobs)) return;
             const std::optional<TradePoint> point = prediction.at(setting, from);
             if (!point) return;
             known.insert(setting);
@@ -88,7 +90,7 @@ std::vector<Candidate> candidates(const TradeRecord& record, int radius) {
 }  // namespace
 
 std::vector<PlannedSetting> first_settings(const TurnedKnobs& knobs) {
-    PlanList plan;
+    PlanList plan(knobs);
     std::vector<Setting> presets;
     for (const QualityPreset& preset : quality_presets()) presets.push_back(preset_setting(preset, knobs));
     for (const Setting& preset : presets) plan.add(preset, Origin::preset);

@@ -53,6 +53,16 @@ Setting preset_setting(const QualityPreset& preset, const TurnedKnobs& knobs) {
     return setting;
 }
 
+bool goes_together(const Setting& setting, const TurnedKnobs& knobs) {
+    bool by_error = false, by_share = false;
+    for (std::size_t i = 0; i < knobs.size(); ++i) {
+        if (setting.values[i] == as_stated) continue;
+        by_error |= knobs[i]->values[setting.values[i]].words.starts_with("--max-error");
+        by_share |= knobs[i]->name == "scale" && setting.values[i] != knobs[i].plain;
+    }
+    return !(by_error && by_share);
+}
+
 std::vector<std::string> words_of(const Setting& setting, const TurnedKnobs& knobs) {
     std::vector<std::string> words;
     for (std::size_t i = 0; i < knobs.size(); ++i)

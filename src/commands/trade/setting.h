@@ -37,6 +37,9 @@ Setting plain_setting(const TurnedKnobs& knobs);
 /// What `--quality` makes of a run: a cheap preset leaves what the scene states coarser, an exact one what it states finer.
 Setting preset_setting(const QualityPreset& preset, const TurnedKnobs& knobs);
 
+/// Whether a command line takes it: an error that is asked for chooses the pixels itself, and goes with no share of them.
+bool goes_together(const Setting& setting, const TurnedKnobs& knobs);
+
 /// The values' words, a text for each knob that is not left as it is stated.
 std::vector<std::string> words_of(const Setting& setting, const TurnedKnobs& knobs);
 

@@ -15,7 +15,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-const std::string head = "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 } light_source { <2, 3, -4> rgb 1 }\n";
+const std::string head =
+    "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 } light_source { <2, 3, -4> rgb 1 }\n";
 const std::string sphere = "sphere { 0, 1 pigment { rgb 1 } finish { specular 0.5 roughness 0.3 reflection 0.3 } }\n";
 
 class QualityOption : public testing::Test {
@@ -125,6 +126,14 @@ TEST(BesideScene, ComparesWhatGlobalSettingsState) {
     EXPECT_EQ(beside_scene("--adc-bailout 0.2", scene), BesideScene::coarser);
     EXPECT_EQ(beside_scene("--adc-bailout 0.05", scene), BesideScene::finer);
     EXPECT_EQ(beside_scene("--ss 3", scene), BesideScene::unrelated);
+}
+
+/// A share of the pixels is what the user chose; samples of it that are chosen by an error would be refused.
+TEST_F(QualityOption, LeavesTheSamplesToAShareOfThePixels) {
+    const RenderJob job = read(head + sphere, {"--quality", "good", "--scale", "2"});
+    EXPECT_EQ(job.sampling.method, Sampling::Method::none);
+    EXPECT_EQ(job.scale, 2);
+    EXPECT_EQ(job.max_trace_level, turned("good").max_trace_level);
 }
 
 }  // namespace

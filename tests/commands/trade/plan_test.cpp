@@ -195,5 +195,20 @@ TEST(KnobSteps, AreMeasuredNeighboursOfOnePreset) {
     EXPECT_EQ(around_good, knobs[0]->values.size() - 1 + knobs[1]->values.size() - 1);
 }
 
+/// The command line refuses it.
+TEST(Plan, AsksForNoErrorOfAShareOfThePixels) {
+    const TurnedKnobs knobs = turned({"samples", "scale"});
+    const TradeRecord record = measured_record(knobs);
+    std::size_t shares = 0;
+    const auto look = [&](const Setting& setting) {
+        const bool share = knobs[1]->values[setting.values[1]].name != "all";
+        shares += share;
+        EXPECT_FALSE(share && knobs[0]->values[setting.values[0]].words.starts_with("--max-error")) << name_of(setting, knobs);
+    };
+    for (const PlannedSetting& planned : first_settings(knobs)) look(planned.setting);
+    EXPECT_GT(shares, 0u) << "with samples that are counted it is measured";
+    for (const Setting& setting : further_settings(record, {100, 200})) look(setting);
+}
+
 }  // namespace
 }  // namespace rt
