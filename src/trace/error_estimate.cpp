@@ -146,8 +146,16 @@ std::vector<std::uint32_t> SampledPicture::worst(double target, int most_samples
         return p.count + next_batch(i) > most_samples ? 0.0f : static_cast<float>(gain(p) / next_batch(i));
     };
     std::vector<double> gains(steps, 0.0);
-    for (std::size_t i = 0; i < pixels_.size(); ++i) gains[step_of(value(i))] += gain(pixels_[i]);
-    const double wanted = std::min(total_ - target * target * static_cast<double>(pixels_.size()), 0.5 * total_);
+    double open = 0.0;  // what the pixels that may have more are off
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const float v = value(i);
+        gains[step_of(v)] += gain(pixels_[i]);
+        if (v > 0.0f) open += pixels_[i].error;
+    }
+    const double allowed = target * target * static_cast<double>(pixels_.size());
+    const bool out_of_reach = total_ - open >= allowed;
+    const double wanted = out_of_reach ? std::min(open - 0.5 * allowed, 0.5 * open) : std::min(total_ - allowed, 0.5 * total_);
+    if (out_of_reach && wanted <= 0.0) return {};
     std::size_t least = steps;
     for (double sum = 0.0; least > 1 && sum < wanted;) sum += gains[--least];
     std::vector<std::uint32_t> chosen;

@@ -38,6 +38,7 @@ public:
     double error() const;
     /// The pixels that lessen the error most for each further sample, as many of them as may bring it to `target`, but at most about half
     /// of what is to gain in this round. In order. None if none may have more than `most_samples`.
+    /// Where pixels that may not keep the picture from the target, the others are brought to half of its square, and no further.
     std::vector<std::uint32_t> worst(double target, int most_samples) const;
     /// How many samples a pixel gets when it is chosen: it has 1, 8, 16, 32, ... Four agree by chance too often across an edge.
     int next_batch(std::size_t pixel) const { return samples(pixel) < 2 ? 7 : samples(pixel); }

@@ -90,5 +90,27 @@ TEST(SampledPicture, WhatIsNotFiniteHasNoErrorAndIsNeverChosen) {
     EXPECT_TRUE(picture.worst(1e-4, 7).empty());
 }
 
+/// A pixel of a highlight that no number of samples settles does not make every other one take as many.
+TEST(SampledPicture, APixelBeyondHelpDoesNotCostTheOthersTheirSamples) {
+    SampledPicture picture(64, 1, plain());
+    const auto add = [&](std::size_t pixel, int count) {
+        const float off = pixel == 0 ? 0.5f : 0.002f;
+        std::vector<float> batch;
+        for (int n = 0; n < count; ++n) batch.push_back(n % 2 == 0 ? 0.5f - off : 0.5f + off);
+        picture.add(pixel, greys(batch));
+    };
+    for (std::size_t i = 0; i < picture.size(); ++i) picture.add(i, greys({0.5f})), add(i, 7);
+    std::vector<std::uint32_t> chosen;
+    do {
+        picture.estimate();
+        chosen = picture.worst(2.4e-4, 1024);
+        for (const std::uint32_t i : chosen) add(i, picture.next_batch(i));
+    } while (!chosen.empty());
+    EXPECT_GT(picture.error(), 2.4e-4) << "out of reach by the first pixel alone";
+    EXPECT_EQ(picture.samples(0), 1024);
+    EXPECT_GE(picture.samples(40), 16) << "the others are brought to what is asked for,";
+    EXPECT_LE(picture.samples(40), 128) << "and no further";
+}
+
 }  // namespace
 }  // namespace rt
