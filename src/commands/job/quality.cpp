@@ -13,11 +13,12 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<QualityChoice, 3> draft{{{"samples", "1"}, {"max-trace-level", "3"}, {"adc-bailout", "1/32"}}};
-constexpr std::array<QualityChoice, 3> fast{{{"samples", "error 1/64"}, {"max-trace-level", "5"}, {"adc-bailout", "1/32"}}};
-constexpr std::array<QualityChoice, 3> good{{{"samples", "error 1/128"}, {"max-trace-level", "8"}, {"adc-bailout", "1/255"}}};
+constexpr std::array<QualityChoice, 3> draft{{{"samples", "1"}, {"scale", "1/2"}, {"adc-bailout", "1/32"}}};
+constexpr std::array<QualityChoice, 2> fast{{{"samples", "POV-Ray 1, 0.3, 2 x 2"}, {"adc-bailout", "1/32"}}};
+constexpr std::array<QualityChoice, 4> good{
+    {{"samples", "error 1/128"}, {"max-trace-level", "8"}, {"adc-bailout", "1/255"}, {"fresnel", "exact"}}};
 constexpr std::array<QualityChoice, 4> exact{
-    {{"samples", "12 x 12"}, {"max-trace-level", "20"}, {"adc-bailout", "1/1000"}, {"fresnel", "exact"}}};
+    {{"samples", "error 1/512"}, {"max-trace-level", "20"}, {"adc-bailout", "1/1000"}, {"fresnel", "exact"}}};
 
 constexpr std::array<QualityPreset, 4> presets{{{"draft", "what moves where, at once", true, draft},
                                                 {"fast", "smooth edges for little", true, fast},
@@ -70,8 +71,10 @@ bool turns(const std::vector<std::string>& words, const Knob& knob) {
 
 void choose_quality(RenderDraft& d, const std::vector<std::string>& words) {
     std::erase_if(d.job.quality.choices, [&](const QualityChoice& choice) {
+        const bool pixels_by_themselves = d.max_error || d.job.time || d.job.preview;
         const bool samples = choice.knob == "samples" && (chooses_samples(d) || d.job.time || d.job.scale > 1);
-        return samples || turns(words, *find_knob(choice.knob));
+        const bool scale = choice.knob == "scale" && pixels_by_themselves;
+        return samples || scale || turns(words, *find_knob(choice.knob));
     });
 }
 

@@ -46,7 +46,7 @@ RenderJob turned(std::string_view quality) {
 }
 
 bool same_sampling(const Sampling& a, const Sampling& b) {
-    return a.method == b.method && a.depth == b.depth && a.threshold == b.threshold;
+    return a.method == b.method && a.depth == b.depth && a.threshold == b.threshold && a.max_error == b.max_error;
 }
 
 TEST_F(QualityOption, SetsWhatThePresetSays) {
@@ -134,6 +134,18 @@ TEST_F(QualityOption, LeavesTheSamplesToAShareOfThePixels) {
     EXPECT_EQ(job.sampling.method, Sampling::Method::none);
     EXPECT_EQ(job.scale, 2);
     EXPECT_EQ(job.max_trace_level, turned("good").max_trace_level);
+}
+
+/// Pixels chosen by an error, a time or a preview are not those of a share, and "draft" gives way.
+TEST_F(QualityOption, DraftGivesUpItsShareOfThePixelsWhereOthersChooseThem) {
+    EXPECT_EQ(read(head + sphere, {"--quality", "draft"}).scale, 2);
+    EXPECT_EQ(read(head + sphere, {"--quality", "draft", "--ss", "3"}).scale, 2);
+    for (const Words& words : {Words{"--max-error", "0.01"}, Words{"--time", "1"}, Words{"--preview"}}) {
+        Words all = words;
+        all.insert(all.begin(), {"--quality", "draft"});
+        EXPECT_EQ(read(head + sphere, all).scale, 1) << words.front();
+    }
+    EXPECT_EQ(read(head + sphere, {"--quality", "draft", "--scale", "1"}).scale, 1);
 }
 
 }  // namespace

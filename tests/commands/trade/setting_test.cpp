@@ -89,9 +89,9 @@ TEST(SettingNames, ArePresetsOrWhatDiffersFromTheNearest) {
 }
 
 TEST(SettingNames, PlainIsOnlyWhatIsNoPreset) {
-    const TurnedKnobs knobs = turned({"samples", "max-trace-level"}, scene_with(7, 0.1));
+    const TurnedKnobs knobs = turned({"samples", "scale", "max-trace-level"}, scene_with(7, 0.1));
     EXPECT_EQ(name_of(plain_setting(knobs), knobs), "plain");
-    EXPECT_THAT(words_of(plain_setting(knobs), knobs), ElementsAre("--ss 1")) << "what is stated has no words";
+    EXPECT_THAT(words_of(plain_setting(knobs), knobs), ElementsAre("--ss 1", "--scale 1")) << "what is stated has no words";
 }
 
 TEST(SettingWords, AreThoseOfTheValues) {

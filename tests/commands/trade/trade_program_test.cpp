@@ -82,7 +82,7 @@ TEST_F(WholeTrade, MeasuresManySettingsAgainstAConvergedReference) {
         EXPECT_EQ(setting["state"], "measured") << setting["name"];
         EXPECT_GT(setting["wall"]["trace"].get<double>(), 0.0);
         const std::string name = setting["name"];
-        const bool by_share = name.find("scale 1/") != name.npos;
+        const bool by_share = setting["command"].get<std::string>().find("--scale 1") == std::string::npos;
         EXPECT_GE(setting["rays"]["camera"].get<std::uint64_t>(), by_share ? 20u : 300u) << name;
         EXPECT_TRUE(here->has("trade-results/" + setting["picture"].get<std::string>())) << setting["name"];
     }
