@@ -35,7 +35,7 @@ private:
         const double first = expected_seconds(work_, world, with_grid(job_, next_grid({})), limit);
         if (first > limit)
             throw LimitError(
-                fmt::format("trade: the exact picture takes about {:.0f} s for 9 rays a pixel; give a smaller size (-W -H), "
+                fmt::format("trade: the exact picture takes about {:.2g} s for 9 rays a pixel; give a smaller size (-W -H), "
                             "or more time (--reference-seconds)",
                             first));
     }

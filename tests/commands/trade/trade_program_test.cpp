@@ -57,7 +57,7 @@ protected:
         here = std::make_unique<test::Workplace>();
         here->write("a.pov", mirrors);
         here->write("tone.inc", "#declare Tone = <1, 0.2, 0.2>;\n");
-        outcome = run({"trade", "-W", "20", "-H", "15", "--runs", "1", "--reference-error", "0.01", "a.pov"});
+        outcome = run({"trade", "-W", "20", "-H", "15", "--runs", "1", "--reference-error", "0.01", "--settings", "30", "a.pov"});
         if (outcome.status == 0) results = json::parse(here->read("trade-results/results.json"));
     }
     static void TearDownTestSuite() { here.reset(); }
@@ -175,7 +175,8 @@ TEST_F(Trade, ABetterReferenceJudgesAllAgain) {
 
 /// However short the time: the presets are measured, and nothing is begun that there is no time for.
 TEST_F(Trade, WhenTheTimeIsOverItEndsWithThePresets) {
-    const std::vector<std::string> words{"a.pov", "-W", "160", "-H", "120", "--seconds", "0.1", "--run-seconds", "60"};
+    const std::vector<std::string> words{
+        "a.pov", "-W", "160", "-H", "120", "--seconds", "0.1", "--run-seconds", "60", "--reference-seconds", "60"};
     const Outcome outcome = trade(words);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(" not run; the time was over before all was done as often as wanted: the same command goes on\n"));
@@ -188,7 +189,8 @@ TEST_F(Trade, WhenTheTimeIsOverItEndsWithThePresets) {
 }
 
 TEST_F(Trade, ASlowSceneGetsASmallerPictureUnlessASizeIsAsked) {
-    const std::vector<std::string> words{"trade", "a.pov", "--runs", "1", "--seconds", "0.1", "--reference-error", "0.05"};
+    const std::vector<std::string> words{
+        "trade", "a.pov", "--runs", "1", "--seconds", "0.1", "--reference-error", "0.05", "--reference-seconds", "60"};
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.err, testing::StartsWith("raytrace: note: pictures of 160 x 120 instead of 640 x 480, to end in about 0.1 s; "
