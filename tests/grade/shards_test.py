@@ -120,8 +120,9 @@ class Shards(unittest.TestCase):
                 runs.append((begin, begin + 1.0, part, key))
         runs.sort()
         self.assertEqual(len(runs), 4)
+        # A program's second begins when it is started, which on a busy machine is well before it first says the time.
         for one, next_one in zip(runs, runs[1:]):
-            self.assertLessEqual(one[1], next_one[0] + 0.001, f"{one} and {next_one} were run beside each other")
+            self.assertLessEqual(one[1], next_one[0] + 0.25, f"{one} and {next_one} were run beside each other")
 
 
 if __name__ == "__main__":
