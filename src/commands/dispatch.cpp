@@ -52,7 +52,7 @@ int run_program(const Words& words) {
 int run_render(const Words& words) {
     std::string help;
     std::optional<RenderJob> job = parse_render_arguments(words, help);
-    if (job) return run_session(std::move(*job));
+    if (job) return job->animation ? run_animation(*job) : run_session(std::move(*job));
     write_stdout(help);
     return 0;
 }

@@ -95,10 +95,12 @@ constexpr const char* povray_topic =
 +Qn                quality 0..11           +UA   alpha channel
 +Ldir              include folder          +MVx  language version
 +WTn               threads                 +Kx   clock of a single picture
-Declare=NAME=VALUE Dither=on File_Gamma=2.2|srgb  -GA (quiet)  +V/-V (progress)
++KFIn +KFFn        frames, clock 0 to 1    +KIx +KFx +KC  its ends; cyclic
++SFx +EFx          those to render         -GA quiet, +V -V progress
+Declare=NAME=VALUE Dither=on File_Gamma=2.2|srgb
 
 What has no meaning here (displays, pauses, bounding, buffers, Display_Gamma,
-message files) is named in one note. Animations are refused.
+message files) is named in one note.
 )";
 
 constexpr const char* scene_topic =

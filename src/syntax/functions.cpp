@@ -77,8 +77,9 @@ std::optional<Number> Expression::constant(Word w) {
         case Word::false_:
         case Word::no:
         case Word::off:
-        case Word::clock_on:
             return number(0.0);
+        case Word::clock_on:
+            return number(state_.options.frame.clock_on ? 1.0 : 0.0);
         case Word::pi:
             return number(pi);
         case Word::clock:

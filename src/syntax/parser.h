@@ -14,12 +14,20 @@ namespace rt {
 /// How deep blocks and parentheses may be nested on the stack of the calling thread: 1000, or what it surely holds, but at least 100.
 int nesting_that_fits();
 
+/// What a scene reads of the frame that it is in an animation; all 0 in a single picture.
+struct FrameValues {
+    bool clock_on = false;
+    int number = 0, initial_frame = 0, final_frame = 0;
+    double initial_clock = 0.0, final_clock = 0.0, clock_delta = 0.0;
+};
+
 struct ParseOptions {
     std::vector<std::string> library_paths;  ///< searched for includes after the including file's folder and the current one
     std::vector<std::pair<std::string, std::string>> declares;  ///< Declare=ID=value: a float, else a string
     int image_width = 800;
     int image_height = 600;
     double clock = 0.0;
+    FrameValues frame;
     double version = 0.0;  ///< +MV; 0: not given
     Rotation rotation = Rotation::povray;
     Finish default_finish;                              ///< until the scene states another by `#default`

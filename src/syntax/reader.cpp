@@ -12,10 +12,14 @@ namespace {
 
 Value number(double x) { return Number{{x}, 1, false}; }
 
-/// Animation names keep the values of a single picture.
 void predeclare(Reader::State& state) {
-    for (const char* name : {"clock_delta", "final_clock", "final_frame", "frame_number", "initial_clock", "initial_frame"})
-        state.globals.emplace(name, number(0.0));
+    const FrameValues& frame = state.options.frame;
+    state.globals.emplace("clock_delta", number(frame.clock_delta));
+    state.globals.emplace("final_clock", number(frame.final_clock));
+    state.globals.emplace("final_frame", number(frame.final_frame));
+    state.globals.emplace("frame_number", number(frame.number));
+    state.globals.emplace("initial_clock", number(frame.initial_clock));
+    state.globals.emplace("initial_frame", number(frame.initial_frame));
     state.globals.emplace("image_width", number(state.options.image_width));
     state.globals.emplace("image_height", number(state.options.image_height));
     for (const auto& [name, text] : state.options.declares) {

@@ -219,6 +219,14 @@ TEST(Default, IsReadWhereItStands) {
     EXPECT_EQ(error_text("#default {"), "No matching } in 'default', End of File found instead");
 }
 
+TEST(Option, AFramesValues) {
+    ParseOptions options;
+    options.frame = {true, 3, 2, 5, 0.25, 0.75, 0.125};
+    EXPECT_EQ(debug_text("#debug vstr(5, <clock_on,frame_number,initial_frame,final_frame,initial_clock>, \" \", 0, 2)", options),
+              "1.00 3.00 2.00 5.00 0.25");
+    EXPECT_EQ(debug_text("#debug vstr(2, <final_clock,clock_delta>, \" \", 0, 3)", options), "0.750 0.125");
+}
+
 TEST(Option, DeclaresAndClock) {
     ParseOptions options;
     options.declares = {{"Radius", "2.5"}, {"Name", "2.5m"}, {"Empty", ""}};

@@ -206,7 +206,7 @@ CourseArguments parse_course_arguments(const CourseUsage& usage, const Words& wo
     if (usage.size) ours.insert(ours.end(), {"--width=" + at[1], "--height=" + at[2]});
     ours.insert(ours.end(), sorted.ours.begin(), sorted.ours.end());
     std::string help;
-    CourseArguments arguments{.job = std::move(*parse_render_arguments(ours, help))};
+    CourseArguments arguments{.job = std::move(*parse_picture_arguments(ours, help))};
     arguments.json = sorted.json;
     if (arguments.job.profile == Profile::csc473 && !arguments.job.max_trace_level)
         arguments.job.max_trace_level = 1 + CourseRules().further_rays;  // with any shading

@@ -78,7 +78,7 @@ std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std:
         return std::nullopt;
     }
     for (const std::string& name : others) arguments.scenes.push_back(scene_path(name));
-    refuse_animation(draft);
+    choose_animation(draft);
     if (arguments.scenes.empty()) throw OptionError("requires: no scene given; see raytrace requires --help");
     arguments.parse = std::move(draft.job.parse);
     arguments.parse.image_width = draft.job.width;
@@ -100,7 +100,7 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
         return std::nullopt;
     }
     choose_scene(draft, others);
-    refuse_animation(draft);
+    choose_animation(draft);
     choose_sampling(draft);
     choose_quality(draft, translation.words);
     check_dithering(draft);
@@ -113,6 +113,13 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     job.notes.insert(job.notes.end(), translation.notes.begin(), translation.notes.end());
     if (!translation.ignored.empty())
         job.notes.push_back(fmt::format("ignored, without a meaning here: {}", fmt::join(translation.ignored, " ")));
+    return job;
+}
+
+std::optional<RenderJob> parse_picture_arguments(const std::vector<std::string>& words, std::string& help) {
+    std::optional<RenderJob> job = parse_render_arguments(words, help);
+    if (job && job->animation)
+        throw OptionError("an animation's frames are rendered by raytrace SCENE alone; elsewhere +Kx sets the clock");
     return job;
 }
 

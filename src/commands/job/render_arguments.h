@@ -13,6 +13,9 @@ namespace rt {
 /// one option the last wins. Throws OptionError.
 std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& words, std::string& help);
 
+/// The same where one picture is asked for: frames of an animation are refused.
+std::optional<RenderJob> parse_picture_arguments(const std::vector<std::string>& words, std::string& help);
+
 /// Is `word` an option of a render whose value is the next word?
 bool render_option_takes_value(const std::string& word);
 /// Every "--name" that a render understands.

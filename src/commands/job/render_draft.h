@@ -25,8 +25,7 @@ struct RenderDraft {
     bool antialias = false;
     std::optional<bool> jitter;
     std::optional<double> jitter_amount;
-    std::optional<int> initial_frame, final_frame;
-    bool subset_frames = false;
+    AnimationDraft animation;
     std::string dither_method;
 };
 
@@ -44,7 +43,7 @@ void choose_scene(RenderDraft& d, const std::vector<std::string>& others);
 bool chooses_samples(const RenderDraft& d);
 void choose_sampling(RenderDraft& d);
 void choose_region(RenderDraft& d);
-void refuse_animation(const RenderDraft& d);
+void choose_animation(RenderDraft& d);
 void check_dithering(const RenderDraft& d);
 
 /// As POV-Ray does it, a name without ending gets its own.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/base/output_name.h"
+#include "commands/job/animation.h"
 #include "commands/job/model_choices.h"
 #include "commands/job/quality_choice.h"
 #include "film/encode.h"
@@ -62,6 +63,7 @@ struct RenderJob {
     bool dither = false;
 
     ParseOptions parse;
+    std::optional<Animation> animation;  ///< its frames are rendered one by one; unset: a single picture
     bool quiet = false;
     bool stats = false;
     bool progress = true;

@@ -12,6 +12,8 @@ namespace rt {
 
 namespace {
 
+constexpr int most_frames = 1 << 30;
+
 /// Whether a scene can refer to a declared value of that name.
 bool is_name(std::string_view name) {
     constexpr std::string_view letters = "_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", digits = "0123456789";
@@ -32,6 +34,22 @@ std::string meaning_of_further_words(const std::vector<std::string>& words) {
     return words.size() == 2 && format_of(words[1], format) ? fmt::format(" The picture's name is -o {}", words[1]) : "";
 }
 
+void define_animation(CommandLine& line, AnimationDraft& d) {
+    const auto clock = [&line](const char* name, std::optional<double>& value) {
+        line.value(name, "X", "", [&value, name](const std::string& v) { value = real_number(name + 2, v, -unbounded, unbounded); });
+    };
+    const auto subset = [&line](const char* name, std::optional<double>& value) {
+        line.value(name, "N", "", [&value, name](const std::string& v) { value = real_number(name + 2, v, 0.0, most_frames); });
+    };
+    line.value("--initial-frame", "N", "", [&](const std::string& v) { d.initial_frame = whole_number("first frame", v, 0, most_frames); });
+    line.value("--final-frame", "N", "", [&](const std::string& v) { d.final_frame = whole_number("last frame", v, 0, most_frames); });
+    clock("--initial-clock", d.initial_clock);
+    clock("--final-clock", d.final_clock);
+    subset("--subset-start-frame", d.subset_start);
+    subset("--subset-end-frame", d.subset_end);
+    line.value("--cyclic-animation", "ON", "", [&](const std::string& v) { d.cyclic = on_or_off("Cyclic_Animation", v); });
+}
+
 }  // namespace
 
 void define_scene(CommandLine& line, RenderDraft& d) {
@@ -46,12 +64,11 @@ void define_scene(CommandLine& line, RenderDraft& d) {
         job.parse.declares.emplace_back(v.substr(0, equals), std::string(unquoted(std::string_view(v).substr(equals + 1))));
     });
     line.value("--language", "V", "", [&](const std::string& v) { job.parse.version = real_number("language version", v, 0.0, 99.0); });
-    line.value("--clock", "X", "", [&](const std::string& v) { job.parse.clock = real_number("clock", v, -unbounded, unbounded); });
-    for (const char* name : {"--initial-clock", "--final-clock"})  // only frames of an animation use them
-        line.value(name, "X", "", [name](const std::string& v) { real_number(name + 2, v, -unbounded, unbounded); });
-    line.value("--initial-frame", "N", "", [&](const std::string& v) { d.initial_frame = whole_number("first frame", v, 0, 1 << 30); });
-    line.value("--final-frame", "N", "", [&](const std::string& v) { d.final_frame = whole_number("last frame", v, 0, 1 << 30); });
-    line.value("--subset-frame", "N", "", [&](const std::string&) { d.subset_frames = true; });
+    line.value("--clock", "X", "", [&](const std::string& v) {
+        job.parse.clock = real_number("clock", v, -unbounded, unbounded);
+        job.parse.frame.clock_on = true;
+    });
+    define_animation(line, d.animation);
 }
 
 void define_run(CommandLine& line, RenderJob& job) {
@@ -84,9 +101,11 @@ void choose_scene(RenderDraft& d, const std::vector<std::string>& others) {
     d.job.scene = scene_path(scenes[0]);
 }
 
-void refuse_animation(const RenderDraft& d) {
-    const bool frames = d.final_frame.value_or(1) != 1 || d.initial_frame.value_or(1) != 1 || d.subset_frames;
-    if (frames) throw OptionError("animation (frames) is not available in this version; render single pictures with Clock=VALUE (+KVALUE)");
+void choose_animation(RenderDraft& d) {
+    d.job.animation = chosen_animation(d.animation);
+    if (!d.job.animation) return;
+    if (d.job.time) throw OptionError("--time is for one picture, not for an animation");
+    set_frame(d.job.parse, *d.job.animation, d.job.animation->first);
 }
 
 }  // namespace rt

@@ -9,4 +9,7 @@ namespace rt {
 /// Throws SceneError, OptionError, OutputError and LimitError.
 int run_session(RenderJob job);
 
+/// The same for every frame of the job's animation, up to the first that does not end with 0.
+int run_animation(const RenderJob& job);
+
 }  // namespace rt

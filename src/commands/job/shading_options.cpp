@@ -39,8 +39,7 @@ void define_shading(CommandLine& line, RenderJob& job) {
     });
     line.value("--distances", "NAME", "scaled (default) or povray",
                [&](const std::string& v) { job.distances = value_of_name(distances_names, "rule of distances", v); });
-    line.value("--precision", "NAME", "",
-               [&](const std::string& v) { job.precision = value_of_name(precision_names, "precision", v); });
+    line.value("--precision", "NAME", "", [&](const std::string& v) { job.precision = value_of_name(precision_names, "precision", v); });
     line.value("--index", "NAME", "", [&](const std::string& v) { job.index = value_of_name(index_names, "index", v); });
     line.value("--profile", "NAME", "povray (default) or csc473, the course's camera",
                [&](const std::string& v) { job.profile = value_of_name(profile_names, "profile", v); });

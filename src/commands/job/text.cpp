@@ -56,7 +56,7 @@ ImageMetadata picture_metadata(const RenderJob& job, const Scene& scene) {
     if (job.specular_aa) options += fmt::format(" specular-aa={}", *job.specular_aa ? "on" : "off");
     if (job.povray_quality) options += fmt::format(" quality={}", *job.povray_quality);
     if (job.region) options += fmt::format(" crop={},{},{},{}", job.region->x0, job.region->x1, job.region->y0, job.region->y1);
-    if (job.parse.clock != 0.0) options += fmt::format(" clock={}", job.parse.clock);
+    if (job.parse.frame.clock_on) options += fmt::format(" clock={}", job.parse.clock);
     for (const auto& [name, value] : job.parse.declares) options += fmt::format(" {}={}", name, value);
     return {{{"Software", fmt::format("raytrace {}", program_version())}, {"Scene", job.scene}, {"Options", options}}};
 }

@@ -134,7 +134,7 @@ std::string read_words(const Words& words, TradeDraft& draft) {
     Words render = {draft.scenes[0]};
     render.insert(render.end(), request.words.begin(), request.words.end());
     std::string help;
-    request.job = parse_render_arguments(render, help).value();
+    request.job = parse_picture_arguments(render, help).value();
     const int processors = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
     request.job.threads = draft.threads > 0 ? draft.threads : processors;
     std::vector<std::string>& notes = request.job.notes;

@@ -83,7 +83,7 @@ std::vector<std::string> povray_picture_words(const RenderJob& job) {
     std::vector<std::string> words = {fmt::format("+W{}", job.width), fmt::format("+H{}", job.height), "+FN8", "-D", "-V"};
     add_sampling(job.sampling, words);
     for (const auto& [name, value] : job.parse.declares) words.push_back(declared(name, value));
-    if (job.parse.clock != 0.0) words.push_back(fmt::format("+K{}", job.parse.clock));
+    if (job.parse.frame.clock_on) words.push_back(fmt::format("+K{}", job.parse.clock));
     if (job.parse.version != 0.0) words.push_back(fmt::format("+MV{}", job.parse.version));
     return words;
 }

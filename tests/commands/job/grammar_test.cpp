@@ -60,7 +60,8 @@ std::string summary(const RenderJob& job) {
     add(job.dither, "dither");
     for (const std::string& path : job.parse.library_paths) text += " L=" + path;
     for (const auto& [name, value] : job.parse.declares) text += " " + name + ":=" + value;
-    add(job.parse.clock != 0.0, fmt::format("clock={}", job.parse.clock));
+    add(job.parse.frame.clock_on, fmt::format("clock={}", job.parse.clock));
+    if (job.animation) text += fmt::format(" frames={}-{}", job.animation->first, job.animation->last);
     add(job.parse.version != 0.0, fmt::format("version={}", job.parse.version));
     add(job.parse.lenient, "lenient");
     add(job.quiet, "quiet");
@@ -120,51 +121,54 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Povray, Grammar,
-    testing::Values(Line{{"+Ia.pov", "+W64", "+H48"}, "a.pov 64x48"},                   //
-                    Line{{"+ia", "+w64", "-h48"}, "a.pov 64x48"},                       //
-                    Line{{"-W64", "-Ia.pov", "-Obig.png"}, "a.pov 64x600 +O=big.png"},  //
-                    Line{{"+I\"a b.pov\"", "+O\"x y.png\""}, "a b.pov +O=x y.png"},     //
-                    Line{{"a.pov", "+O-"}, "a.pov +O=-"},                               //
-                    Line{{"a.pov", "-O-", "+FP"}, "a.pov +O=- format=ppm"},             //
-                    Line{{"a.pov", "+Odir/"}, "a.pov +O=dir/"},                         //
-                    Line{{"a.pov", "+FN16"}, "a.pov format=png bits=16"},               //
-                    Line{{"a.pov", "+FN8"}, "a.pov format=png bits=8"}, Line{{"a.pov", "+FE32"}, "a.pov format=exr bits=32"},
-                    Line{{"a.pov", "Bits_Per_Color=12.5"},
-                         "a.pov bits=12 (Bits_Per_Color=12.5: the fraction is cut off, as in POV-Ray)"},  //
-                    Line{{"a.pov", "Output_File_Type=C"}, "a.pov format=tga"},                            //
-                    Line{{"a.pov", "+FE"}, "a.pov format=exr"},                                           //
-                    Line{{"a.pov", "-F"}, "a.pov nofile"},                                                //
-                    Line{{"a.pov", "-F", "+F"}, "a.pov"},                                                 //
-                    Line{{"a.pov", "+A"}, "a.pov aa=1,0.3,3 " + as_minus_j},                              //
-                    Line{{"a.pov", "+A0.1", "+AM2", "+R2", "-J"}, "a.pov aa=2,0.1,2"},                    //
-                    Line{{"-J", "+R2", "+AM2", "+A0.1", "a.pov"}, "a.pov aa=2,0.1,2"},                    //
-                    Line{{"a.pov", "+A0.1", "+J0.5"}, "a.pov aa=1,0.1,3 " + no_jitter},                   //
-                    Line{{"a.pov", "+A0.1", "+J0.0"}, "a.pov aa=1,0.1,3"},                                //
-                    Line{{"a.pov", "+A0.1", "-A"}, "a.pov"},                                              //
-                    Line{{"a.pov", "+R4", "+AM2"}, "a.pov"},                                              //
-                    Line{{"a.pov", "+A7", "-J", "+R12"}, "a.pov aa=1,1,9"},                               //
-                    Line{{"a.pov", "+A", "-J", "+AG1", "+BS2"}, "a.pov aa=1,0.3,3 aagamma=1 block=4"},    //
-                    Line{{"a.pov", "+Q5"}, "a.pov quality=5"},                                            //
-                    Line{{"a.pov", "+Q12"}, "a.pov quality=11"},                                          //
-                    Line{{"a.pov", "+UA", "Dither=on"}, "a.pov alphachannel dither"},                     //
-                    Line{{"a.pov", "+UA", "-UA"}, "a.pov"},                                               //
-                    Line{{"a.pov", "+Lone", "+Ltwo"}, "a.pov L=one L=two"},                               //
-                    Line{{"a.pov", "+MV3.5", "+WT2"}, "a.pov threads=2 version=3.5"},                     //
-                    Line{{"a.pov", "+K0.25"}, "a.pov clock=0.25"},                                        //
-                    Line{{"a.pov", "+KI1", "+KF2"}, "a.pov"},                                             //
-                    Line{{"a.pov", "+KFI1", "+KFF1"}, "a.pov"},                                           //
-                    Line{{"a.pov", "Declare=N=3", "File_Gamma=srgb"}, "a.pov N:=3"},                      //
-                    Line{{"a.pov", "file_gamma=1.0"}, "a.pov gamma=1"},                                   //
-                    Line{{"a.pov", "+W100", "+H8", "+SC3", "+EC5", "+SR2", "+ER8"}, "a.pov 100x8 region=2,5,1,8"},
-                    Line{{"a.pov", "+W16.5", "+H8"}, "a.pov 16x8 (+W16.5: the fraction is cut off, as in POV-Ray)"},
-                    Line{{"a.pov", "+W16.0", "Height=8e0"}, "a.pov 16x8"},               //
-                    Line{{"a.pov", "-D", "-P", "-V", "-GA"}, "a.pov quiet noprogress"},  //
-                    Line{{"a.pov", "+X", "+W8", "+D", "Bounding_Threshold=3", "Display_Gamma=2.2", "-MB"},
-                         "a.pov 8x600 (ignored, without a meaning here: +X +D Bounding_Threshold=3 Display_Gamma=2.2 -MB)"},
-                    Line{{"+Ia.pov", "+W64", "--shading", "povray", "-q"}, "a.pov 64x600 shading=povray quiet"},
-                    Line{{"+Ia.pov", "--define", "Width=3"}, "a.pov Width:=3"},                     //
-                    Line{{"a.pov", "All_Console=off", "Work_Threads=1"}, "a.pov threads=1 quiet"},  //
-                    Line{{"a.pov", "Antialias=on", "Antialias_Threshold=0.1", "Jitter=off"}, "a.pov aa=1,0.1,3"}));
+    testing::Values(
+        Line{{"+Ia.pov", "+W64", "+H48"}, "a.pov 64x48"},                   //
+        Line{{"+ia", "+w64", "-h48"}, "a.pov 64x48"},                       //
+        Line{{"-W64", "-Ia.pov", "-Obig.png"}, "a.pov 64x600 +O=big.png"},  //
+        Line{{"+I\"a b.pov\"", "+O\"x y.png\""}, "a b.pov +O=x y.png"},     //
+        Line{{"a.pov", "+O-"}, "a.pov +O=-"},                               //
+        Line{{"a.pov", "-O-", "+FP"}, "a.pov +O=- format=ppm"},             //
+        Line{{"a.pov", "+Odir/"}, "a.pov +O=dir/"},                         //
+        Line{{"a.pov", "+FN16"}, "a.pov format=png bits=16"},               //
+        Line{{"a.pov", "+FN8"}, "a.pov format=png bits=8"}, Line{{"a.pov", "+FE32"}, "a.pov format=exr bits=32"},
+        Line{{"a.pov", "Bits_Per_Color=12.5"}, "a.pov bits=12 (Bits_Per_Color=12.5: the fraction is cut off, as in POV-Ray)"},  //
+        Line{{"a.pov", "Output_File_Type=C"}, "a.pov format=tga"},                                                              //
+        Line{{"a.pov", "+FE"}, "a.pov format=exr"},                                                                             //
+        Line{{"a.pov", "-F"}, "a.pov nofile"},                                                                                  //
+        Line{{"a.pov", "-F", "+F"}, "a.pov"},                                                                                   //
+        Line{{"a.pov", "+A"}, "a.pov aa=1,0.3,3 " + as_minus_j},                                                                //
+        Line{{"a.pov", "+A0.1", "+AM2", "+R2", "-J"}, "a.pov aa=2,0.1,2"},                                                      //
+        Line{{"-J", "+R2", "+AM2", "+A0.1", "a.pov"}, "a.pov aa=2,0.1,2"},                                                      //
+        Line{{"a.pov", "+A0.1", "+J0.5"}, "a.pov aa=1,0.1,3 " + no_jitter},                                                     //
+        Line{{"a.pov", "+A0.1", "+J0.0"}, "a.pov aa=1,0.1,3"},                                                                  //
+        Line{{"a.pov", "+A0.1", "-A"}, "a.pov"},                                                                                //
+        Line{{"a.pov", "+R4", "+AM2"}, "a.pov"},                                                                                //
+        Line{{"a.pov", "+A7", "-J", "+R12"}, "a.pov aa=1,1,9"},                                                                 //
+        Line{{"a.pov", "+A", "-J", "+AG1", "+BS2"}, "a.pov aa=1,0.3,3 aagamma=1 block=4"},                                      //
+        Line{{"a.pov", "+Q5"}, "a.pov quality=5"},                                                                              //
+        Line{{"a.pov", "+Q12"}, "a.pov quality=11"},                                                                            //
+        Line{{"a.pov", "+UA", "Dither=on"}, "a.pov alphachannel dither"},                                                       //
+        Line{{"a.pov", "+UA", "-UA"}, "a.pov"},                                                                                 //
+        Line{{"a.pov", "+Lone", "+Ltwo"}, "a.pov L=one L=two"},                                                                 //
+        Line{{"a.pov", "+MV3.5", "+WT2"}, "a.pov threads=2 version=3.5"},                                                       //
+        Line{{"a.pov", "+K0.25"}, "a.pov clock=0.25"},                                                                          //
+        Line{{"a.pov", "+KI1", "+KF2"}, "a.pov"},                                                                               //
+        Line{{"a.pov", "+K0"}, "a.pov clock=0"},                                                                                //
+        Line{{"a.pov", "+KFI1", "+KFF1"}, "a.pov"},                                                                             //
+        Line{{"a.pov", "+KFF9", "+KI1", "+KF2"}, "a.pov clock=1 frames=1-9"},                                                   //
+        Line{{"a.pov", "Initial_Frame=3", "Final_Frame=9", "Subset_Start_Frame=5"}, "a.pov clock=0.3333333333333333 frames=5-9"},
+        Line{{"a.pov", "Declare=N=3", "File_Gamma=srgb"}, "a.pov N:=3"},  //
+        Line{{"a.pov", "file_gamma=1.0"}, "a.pov gamma=1"},               //
+        Line{{"a.pov", "+W100", "+H8", "+SC3", "+EC5", "+SR2", "+ER8"}, "a.pov 100x8 region=2,5,1,8"},
+        Line{{"a.pov", "+W16.5", "+H8"}, "a.pov 16x8 (+W16.5: the fraction is cut off, as in POV-Ray)"},
+        Line{{"a.pov", "+W16.0", "Height=8e0"}, "a.pov 16x8"},               //
+        Line{{"a.pov", "-D", "-P", "-V", "-GA"}, "a.pov quiet noprogress"},  //
+        Line{{"a.pov", "+X", "+W8", "+D", "Bounding_Threshold=3", "Display_Gamma=2.2", "-MB"},
+             "a.pov 8x600 (ignored, without a meaning here: +X +D Bounding_Threshold=3 Display_Gamma=2.2 -MB)"},
+        Line{{"+Ia.pov", "+W64", "--shading", "povray", "-q"}, "a.pov 64x600 shading=povray quiet"},
+        Line{{"+Ia.pov", "--define", "Width=3"}, "a.pov Width:=3"},                     //
+        Line{{"a.pov", "All_Console=off", "Work_Threads=1"}, "a.pov threads=1 quiet"},  //
+        Line{{"a.pov", "Antialias=on", "Antialias_Threshold=0.1", "Jitter=off"}, "a.pov aa=1,0.1,3"}));
 
 struct Mistake {
     Words words;
@@ -217,10 +221,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"a.pov", "--crop=0,1.5,0,2"}, "crop: expected a whole number, not '1.5'"},
         Mistake{{"a.pov", "+FN12.5"}, "bits per colour: expected a whole number, not '12.5'"},
         Mistake{{"a.pov", "--bits=33"}, "bits per colour: 33 is outside 1 to 32"},
-        Mistake{{"a.pov", "+KFF10"},
-                "animation (frames) is not available in this version; render single pictures with Clock=VALUE (+KVALUE)"},
-        Mistake{{"a.pov", "+SF2"},
-                "animation (frames) is not available in this version; render single pictures with Clock=VALUE (+KVALUE)"},
+        Mistake{{"a.pov", "+KFI3", "+KFF2"}, "the last frame, 2, comes before the first, 3"},
+        Mistake{{"a.pov", "+KFI5"}, "the last frame, 1, comes before the first, 5"},
+        Mistake{{"a.pov", "+KFI-1", "+KFF2"}, "first frame: -1 is outside 0 to 1073741824"},
+        Mistake{{"a.pov", "+KFF3", "+EF4"}, "frame 4 is not among the frames 1 to 3"},
+        Mistake{{"a.pov", "+KFF3", "+SF3", "+EF2"}, "the subset's last frame, 2, comes before its first, 3"},
+        Mistake{{"a.pov", "+KFF3", "--time=1"}, "--time is for one picture, not for an animation"},
         Mistake{{"a.pov", "Grayscale_Output=on"}, "Grayscale_Output (from 'Grayscale_Output=on') is not available in this version"},
         Mistake{{"a.pov", "--crop=0,9,0,900"}, "crop: columns 0 to 9 and rows 0 to 900 are no part of a 800 x 600 picture"},
         Mistake{{"a.pov", "--crop=5,5,0,9"}, "crop: columns 5 to 5 and rows 0 to 9 are no part of a 800 x 600 picture"},

@@ -33,6 +33,7 @@ TEST(VersusCommands, BothSayTheSame) {
     EXPECT_THAT(our_command(settings({}), "/b.pov", Maker::general, "general.png"),
                 ElementsAre("/p/raytrace", "/b.pov", "--threads=2", "--stats", "-o", "general.png"));
     EXPECT_THAT(povray_picture_words(settings({"--width=8"}).job), testing::Contains("-A"));
+    EXPECT_THAT(povray_picture_words(settings({"--clock=0"}).job), testing::Contains("+K0"));
 }
 
 TEST(VersusCommands, NamesThatPovrayCannotReadGetALink) {
