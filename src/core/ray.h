@@ -38,6 +38,18 @@ struct Bounds {
         extend(b.max);
     }
     bool is_finite() const { return rt::is_finite(min) && rt::is_finite(max); }
+    bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
 };
+
+/// Faces, edges and corners belong to the box.
+inline bool contains(const Bounds& box, const Vec3& p) {
+    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z && p.z <= box.max.z;
+}
+
+/// What lies in both boxes; empty if nothing does.
+inline Bounds common(const Bounds& a, const Bounds& b) {
+    return {Vec3(std::fmax(a.min.x, b.min.x), std::fmax(a.min.y, b.min.y), std::fmax(a.min.z, b.min.z)),
+            Vec3(std::fmin(a.max.x, b.max.x), std::fmin(a.max.y, b.max.y), std::fmin(a.max.z, b.max.z))};
+}
 
 }  // namespace rt

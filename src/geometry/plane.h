@@ -12,7 +12,7 @@ struct Plane {
 };
 
 /// A parallel ray divides by zero: infinity and NaN lie in no interval.
-inline bool intersect(const Plane& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+[[gnu::always_inline]] inline bool intersect(const Plane& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
     const double t = (shape.distance - dot(ray.origin, shape.normal)) / dot(ray.direction, shape.normal);
     if (!range.contains(t)) return false;
     hit.t = t;

@@ -13,7 +13,7 @@ struct Sphere {
 
 /// Haines, Guenther, Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection": the discriminant comes from the distance
 /// of the centre from the ray, which does not cancel for small or far spheres, and the roots from the form that adds like signs.
-inline bool intersect(const Sphere& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+[[gnu::always_inline]] inline bool intersect(const Sphere& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
     const Vec3 f = ray.origin - shape.center;
     const Vec3& d = ray.direction;
     const double a = dot(d, d);

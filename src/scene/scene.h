@@ -12,6 +12,7 @@
 #include "core/source.h"
 #include "geometry/shape.h"
 #include "scene/cells.h"
+#include "scene/set.h"
 #include "scene/transform.h"
 
 namespace rt {
@@ -124,6 +125,7 @@ struct Object {
     bool double_illuminate = false;
     bool inverse = false;
     bool hollow = false;
+    std::optional<std::uint32_t> shares_interior;  ///< with that object of the same list, which is before this one
     Span span;
     bool operator==(const Object&) const = default;
 
@@ -214,6 +216,8 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights;
     std::vector<Object> objects;                  ///< in file order; ties between equally near surfaces go to the first
+    std::vector<SetNode> sets;                    ///< those that take pieces of surfaces away, and what they are made of
+    std::vector<Object> clips;                    ///< what clips: seen by no ray
     PigmentColor background{Rgb(0.0), 0.0, 1.0};  ///< none stated: black, and transparent in a picture with alpha
     GlobalSettings settings;
     double language_version = 0.0;  ///< last #version; 0 when none was seen and no include restored one

@@ -1,160 +1,85 @@
-// Objects: shapes with their modifiers, object { }, declared objects.
+// Objects: shapes, sets of objects, object { }, declared objects.
 #include <fmt/format.h>
 
 #include "syntax/blocks.h"
-#include "syntax/parameters.h"
-#include "syntax/parse_shape.h"
-#include "syntax/texture_layers.h"
+#include "syntax/object_draft.h"
+#include "syntax/set_value.h"
 #include "syntax/unmodelled.h"
 
 namespace rt {
 
 namespace {
 
-/// An object while its modifiers are read. Moving a texture that looks the same everywhere would only give every object a texture of its
-/// own, so what moves it is gathered and applied when it turns out to matter.
-struct Draft {
-    Object object;
-    bool exists = true;  ///< false: it can never be hit, only its text has to be read
-    std::optional<Transform> texture_motion;
-    std::optional<Transform> interior_texture_motion;
-};
-
-void settle(Reader& reader, std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always) {
-    if (layers && motion && (always || has_any_pattern(*layers))) transform_layers(reader, *layers, *motion);
-    motion.reset();
-}
-
-void settle(Reader& reader, Draft& draft, bool always) {
-    settle(reader, draft.object.texture, draft.texture_motion, always);
-    settle(reader, draft.object.interior_texture, draft.interior_texture_motion, always);
-}
-
-void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
-    append(draft.object.transform, t);
-    require_finite(reader, place, *draft.object.transform);
-    if (draft.object.texture) append(draft.texture_motion, t);
-    if (draft.object.interior_texture) append(draft.interior_texture_motion, t);
-}
-
-bool accept_material(Reader& reader, Draft& draft) {
-    Object& object = draft.object;
-    const Token next = reader.peek();
-    if (!next.is(Word::texture) && !next.is(Word::interior_texture) && !next.is(Word::material) && !next.is(Word::pigment) &&
-        !next.is(Word::finish) && !next.is(Word::normal))
-        return false;
-    settle(reader, draft, true);
-    if (accept_layer_part(reader, object.texture)) return true;
-    reader.take();
-    if (next.is(Word::texture)) {
-        parse_texture(reader, object.texture);
-    } else if (next.is(Word::interior_texture)) {
-        parse_texture(reader, object.interior_texture);
-    } else {
-        MaterialValue material =
-            parse_material(reader, {std::move(object.texture), std::move(object.interior_texture), std::move(object.interior)});
-        object.texture = std::move(material.texture);
-        object.interior_texture = std::move(material.interior_texture);
-        object.interior = std::move(material.interior);
-    }
-    return true;
-}
-
-bool accept_flag(Reader& reader, Object& object) {
-    if (reader.accept(Word::no_shadow)) {
-        object.no_shadow = true;
-    } else if (reader.accept(Word::no_image)) {
-        object.no_image = reader.parse_bool_or(true);
-    } else if (reader.accept(Word::no_reflection)) {
-        object.no_reflection = reader.parse_bool_or(true);
-    } else if (reader.accept(Word::double_illuminate)) {
-        object.double_illuminate = reader.parse_bool_or(true);
-    } else if (reader.accept(Word::hollow)) {
-        object.hollow = reader.parse_bool_or(true);
-    } else if (reader.accept(Word::inverse)) {
-        object.inverse = !object.inverse;
-    } else if (reader.accept(Word::no_radiosity)) {
-        reader.parse_bool_or(true);  // says nothing without radiosity, which is reported where it is asked for
-    } else {
-        return false;
-    }
-    return true;
-}
-
-bool accept_other(Reader& reader, const ShapeSyntax* shape) {
-    const Token next = reader.peek();
-    if (next.is(Word::clipped_by)) {
-        reader.take();
-        skip_unmodelled_block(reader, next);
-    } else if (next.is(Word::bounded_by) || next.is(Word::photons) || next.is(Word::radiosity)) {
-        reader.take();  // a hint for speed; settings of what is reported where it is asked for
-        reader.skip_block();
-    } else if (next.is(Word::uv_mapping)) {
-        reader.take();
-        if (reader.parse_bool_or(true)) reader.unmodelled(next.span, "uv_mapping");
-    } else if (next.is(Word::sturm) || next.is(Word::hierarchy)) {
-        const bool known = !shape || (next.is(Word::sturm) ? shape->takes_sturm : shape->takes_hierarchy);
-        if (!known) reader.fail(next.span, fmt::format("Keyword '{}' cannot be used with this object.", text(next.word)));
-        reader.take();
-        reader.parse_bool_or(true);
-    } else if (next.is(Word::cutaway_textures)) {
-        reader.fail(next.span, "cutaway_textures can only be used with intersection and difference.");
-    } else if (next.is(Word::split_union)) {
-        reader.fail(next.span, "split_union found in non-union object.");
-    } else if (next.is(Word::light_source)) {
-        reader.fail(next.span, "Light source must be defined using new syntax.");
-    } else if (at_color(reader)) {
-        parse_color(reader);
-        reader.warn(reader.peek().span, "Quick color belongs in texture. Color ignored.");
-    } else {
-        return false;
-    }
-    return true;
-}
-
-void parse_modifiers(Reader& reader, Draft& draft, const ShapeSyntax* shape) {
-    for (;;) {
-        const Span place = reader.peek().span;
-        if (const std::optional<Transform> t = accept_transform(reader)) {
-            move(reader, place, draft, *t);
-        } else if (reader.accept(Word::interior)) {
-            draft.object.interior = parse_interior(reader, draft.object.interior.value_or(Shared<Interior>()));
-        } else if (!accept_material(reader, draft) && !accept_flag(reader, draft.object) && !accept_other(reader, shape)) {
-            break;
-        }
-    }
-    settle(reader, draft, false);
-    if (draft.object.interior_texture && !draft.object.texture && reader.at_block_end())
-        reader.fail(reader.peek().span, "Interior texture requires an exterior texture.");
-}
-
-ObjectValue finish_object(Reader& reader, Draft draft, const ShapeSyntax* shape) {
-    parse_modifiers(reader, draft, shape);
-    reader.end_block();
-    ObjectValue value;
-    if (draft.exists) value.objects.push_back(std::move(draft.object));
-    return value;
-}
-
-Draft draft_of(ObjectValue value) {
-    Draft draft;
-    draft.exists = !value.objects.empty();
-    if (draft.exists) draft.object = std::move(value.objects.front());
-    return draft;
-}
-
 ObjectValue parse_shape_block(Reader& reader, const ShapeSyntax& shape) {
-    Draft draft;
-    draft.object.span = reader.take().span;
+    ObjectDraft draft;
+    const Span place = reader.take().span;
     reader.begin_block(text(shape.word));
     if (const ObjectValue* declared = reader.accept_declared<ObjectValue>()) {
-        draft = draft_of(*declared);
-    } else {
-        ParsedShape parsed = shape.parse(reader);
-        draft.exists = parsed.has_value();
-        if (parsed) draft.object.shape = std::move(*parsed);
+        draft.value = *declared;
+    } else if (ParsedShape parsed = shape.parse(reader)) {
+        Object object;
+        object.shape = std::move(*parsed);
+        object.span = place;
+        draft.value.objects.push_back(std::move(object));
     }
-    return finish_object(reader, std::move(draft), &shape);
+    return finish_object(reader, std::move(draft), {.shape = &shape});
+}
+
+constexpr std::uint32_t most_nested_sets = 1000;
+
+bool is_set(Word w) { return w == Word::union_ || w == Word::intersection || w == Word::difference || w == Word::merge; }
+
+/// A set in one of its own kind is only more parts, so that loops which add to a set do not nest it.
+void join_part(Reader& reader, const Span& place, ObjectValue& value, SetNode& node, const SetPart& part) {
+    const bool is_last = part.what == SetPart::What::set && part.index + 1 == value.sets.size() && !part.complement;
+    if (is_last && value.sets.back().kind == node.kind && value.sets.back().clips.empty()) {
+        const std::vector<SetPart> inner = std::move(value.sets.back().parts);
+        value.sets.pop_back();
+        node.parts.insert(node.parts.end(), inner.begin(), inner.end());
+        return;
+    }
+    node.parts.push_back(part);
+    if (part.what == SetPart::What::set) node.depth = std::max(node.depth, value.sets[part.index].depth + 1);
+    if (node.depth > most_nested_sets)
+        throw LimitError(
+            reader.scene().sources.describe(place, "Parse Error", fmt::format("Sets are nested more than {} deep.", most_nested_sets)));
+}
+
+/// The parts between a set's '{' and its modifiers. The first is all there is of a difference, of which the others are taken away.
+void parse_parts(Reader& reader, Word set, ObjectValue& value) {
+    const bool restricts = set == Word::intersection || set == Word::difference;
+    SetNode node;
+    node.kind = set == Word::union_ ? SetKind::together : set == Word::merge ? SetKind::merge : SetKind::intersection;
+    std::size_t count = 0;
+    for (;; ++count) {
+        const Span place = reader.peek().span;
+        std::optional<Placeable> object = accept_object(reader);
+        if (!object) break;
+        auto* light = std::get_if<Light>(&*object);
+        if (restricts && (light || has_patch(std::get<ObjectValue>(*object))))
+            reader.warn(place, "Patch objects not allowed in intersection.");
+        if (light) {
+            value.lights.push_back(std::move(*light));
+        } else if (std::optional<SetPart> part = add_part(value, std::get<ObjectValue>(std::move(*object)))) {
+            if (set == Word::difference && count > 0) part->complement = !part->complement;
+            join_part(reader, place, value, node, *part);
+        }
+    }
+    if (count < 2) reader.warn(reader.peek().span, "Should have at least 2 objects in csg.");
+    value.sets.push_back(std::move(node));
+    value.root = SetPart{SetPart::What::set, false, static_cast<std::uint32_t>(value.sets.size() - 1)};
+}
+
+/// `union { ... }` and its like. A declared object that comes first is all there is, as POV-Ray has it: only modifiers may follow.
+ObjectValue parse_set_block(Reader& reader) {
+    const Token word = reader.take();
+    reader.begin_block(text(word.word));
+    ObjectDraft draft;
+    if (const ObjectValue* declared = reader.accept_declared<ObjectValue>())
+        draft.value = *declared;
+    else
+        parse_parts(reader, word.word, draft.value);
+    return finish_object(reader, std::move(draft), {.set = word.word});
 }
 
 /// `object { ... }` after its word.
@@ -168,15 +93,15 @@ Placeable parse_object_block(Reader& reader) {
         reader.end_block();
         return std::move(*light);
     }
-    return finish_object(reader, draft_of(std::get<ObjectValue>(std::move(*inner))), nullptr);
+    ObjectDraft draft;
+    draft.value = std::get<ObjectValue>(std::move(*inner));
+    return finish_object(reader, std::move(draft), {});
 }
 
 }  // namespace
 
 void modify_light(Reader& reader, const Span& place, Light& light) {
-    Draft unused;
-    parse_modifiers(reader, unused, nullptr);
-    if (unused.object.transform) transform_light(reader, place, light, *unused.object.transform);
+    if (const std::optional<Transform> motion = parse_motion(reader)) transform_light(reader, place, light, *motion);
 }
 
 std::optional<Placeable> accept_object(Reader& reader) {
@@ -185,6 +110,7 @@ std::optional<Placeable> accept_object(Reader& reader) {
     const Token next = reader.peek();
     if (next.kind != Token::Kind::word) return std::nullopt;
     if (const ShapeSyntax* shape = find_shape(next.word)) return parse_shape_block(reader, *shape);
+    if (is_set(next.word)) return parse_set_block(reader);
     if (reader.accept(Word::object)) return parse_object_block(reader);
     if (reader.accept(Word::light_source)) return parse_light(reader);
     if (!is_unmodelled_shape(next.word)) return std::nullopt;

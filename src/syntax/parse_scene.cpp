@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
+#include "syntax/set_value.h"
 #include "syntax/texture_layers.h"
 #include "syntax/unmodelled.h"
 
@@ -54,7 +56,23 @@ void make_room(Reader& reader) {
     scene.objects.reserve(std::clamp(expected, 2 * size, 64 * size));
 }
 
+/// Places what a set has besides its objects, which are placed next.
+void place_set(Scene& scene, ObjectValue& value) {
+    hand_down(value);
+    std::move(value.lights.begin(), value.lights.end(), std::back_inserter(scene.lights));
+    if (!restricts(value)) {
+        value.sets.clear();
+        value.clips.clear();
+    } else if (value.root->complement) {
+        value.sets.push_back({SetKind::together, {*value.root}, {}});
+    }
+    renumber(value, scene.objects.size(), scene.sets.size(), scene.clips.size());
+    std::move(value.sets.begin(), value.sets.end(), std::back_inserter(scene.sets));
+    std::move(value.clips.begin(), value.clips.end(), std::back_inserter(scene.clips));
+}
+
 void place_objects(Reader& reader, ObjectValue value) {
+    if (value.root) place_set(reader.scene(), value);
     for (Object& object : value.objects) {
         if (!object.texture) object.texture = reader.default_texture();
         count_texture(reader, object.span, *object.texture);

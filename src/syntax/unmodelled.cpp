@@ -8,10 +8,9 @@ namespace rt {
 namespace {
 
 constexpr std::initializer_list<Word> shapes{
-    Word::bicubic_patch, Word::blob,          Word::cubic,          Word::difference,  Word::height_field, Word::intersection,
-    Word::isosurface,    Word::julia_fractal, Word::lathe,          Word::light_group, Word::merge,        Word::ovus,
-    Word::parametric,    Word::poly,          Word::polynomial,     Word::prism,       Word::quadric,      Word::quartic,
-    Word::sor,           Word::sphere_sweep,  Word::superellipsoid, Word::text,        Word::union_};
+    Word::bicubic_patch, Word::blob, Word::cubic,        Word::height_field,   Word::isosurface, Word::julia_fractal, Word::lathe,
+    Word::light_group,   Word::ovus, Word::parametric,   Word::poly,           Word::polynomial, Word::prism,         Word::quadric,
+    Word::quartic,       Word::sor,  Word::sphere_sweep, Word::superellipsoid, Word::text};
 
 constexpr std::initializer_list<Word> patterns{
     Word::agate,           Word::aoi,      Word::average, Word::boxed,       Word::bozo,         Word::brick,         Word::bumps,
@@ -32,11 +31,9 @@ constexpr std::initializer_list<Word> items{Word::fog, Word::media, Word::rainbo
 
 /// Features that are worth a line of their own where they stand inside something that is skipped as a whole.
 constexpr std::initializer_list<Word> inner_features{
-    Word::bump_map,  Word::clipped_by,   Word::crand,       Word::density,     Word::dispersion,
-    Word::function,  Word::image_map,    Word::irid,        Word::looks_like,  Word::material_map,
-    Word::media,     Word::normal,       Word::normal_map,  Word::pigment_map, Word::projected_through,
-    Word::slope_map, Word::texture_list, Word::texture_map, Word::turbulence,  Word::uv_mapping,
-    Word::warp};
+    Word::bump_map,   Word::crand,        Word::density,     Word::dispersion, Word::function,   Word::image_map,   Word::irid,
+    Word::looks_like, Word::material_map, Word::media,       Word::normal,     Word::normal_map, Word::pigment_map, Word::projected_through,
+    Word::slope_map,  Word::texture_list, Word::texture_map, Word::turbulence, Word::uv_mapping, Word::warp};
 
 bool contains(std::initializer_list<Word> words, Word w) { return std::find(words.begin(), words.end(), w) != words.end(); }
 

@@ -26,9 +26,15 @@ struct MaterialValue {
     bool operator==(const MaterialValue&) const = default;
 };
 
-/// An object that was declared, not yet placed: the texture is unset where the file states none.
+/// An object that was declared, not yet placed: the texture is unset where the file states none. Without `root` it is one object, or none
+/// where it can never be hit; with it, all objects of a set. Indices are those of the lists here.
 struct ObjectValue {
     std::vector<Object> objects;
+    std::vector<SetNode> sets;
+    std::vector<Object> clips;
+    std::vector<Light> lights;
+    std::optional<SetPart> root;
+    Object whole;  ///< what a set states of itself and its parts have if they state none; no shape
     bool operator==(const ObjectValue&) const = default;
 };
 

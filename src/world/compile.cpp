@@ -97,7 +97,8 @@ void find_camera_interiors(const Surfaces& surfaces, World& world) {
             world.interiors.push_back(world.interiors.front());
             interior = static_cast<std::uint32_t>(world.interiors.size() - 1);
         }
-        world.camera_interiors.push_back(interior);
+        std::vector<std::uint32_t>& around = world.camera_interiors;  // parts of a set share theirs
+        if (std::find(around.begin(), around.end(), interior) == around.end()) around.push_back(interior);
     }
 }
 
@@ -106,7 +107,7 @@ Bounds box_around(const Surfaces& surfaces) {
     Bounds all;
     for (std::uint32_t object = 0; object < surfaces.objects.size(); ++object) {
         const Bounds box = surfaces.bounds(object);
-        if (box.is_finite() && surfaces.objects[object].count > 0) all.extend(box);
+        if (box.is_finite() && !box.is_empty() && surfaces.objects[object].count > 0) all.extend(box);
     }
     return all;
 }
@@ -120,13 +121,15 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
     for (const Object& object : scene.objects) {
         const std::uint32_t material = materials.add(object);
         const bool loose_triangle = std::holds_alternative<Triangle>(object.shape) || std::holds_alternative<SmoothTriangle>(object.shape);
-        const std::uint32_t interior = add_interior(object, materials[material], world.interiors);
+        const std::uint32_t interior = object.shares_interior ? world.objects[*object.shares_interior].interior
+                                                              : add_interior(object, materials[material], world.interiors);
         require(materials[material], world.interiors[interior], world.features);
         world.features.visibility_flags |= object.no_image || object.no_reflection;
         surfaces.add(object, seen_bits(object, materials[material].can_transmit));
         world.objects.push_back({material, interior, object.no_shadow, object.no_image, object.no_reflection, object.double_illuminate,
                                  object.span, loose_triangle});
     }
+    surfaces.join(scene);
     world.materials = materials.take();
     for (const Material& material : world.materials) {
         require(material.layers, world.features);

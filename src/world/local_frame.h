@@ -19,10 +19,6 @@ struct LocalFrame {
 
 inline Bounds grown(const Bounds& box, double by) { return {box.min - Vec3(by), box.max + Vec3(by)}; }
 
-inline bool contains(const Bounds& box, const Vec3& p) {
-    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z && p.z <= box.max.z;
-}
-
 /// Cuts the range to its part inside the box; false if there is none.
 inline bool clip(const Ray& ray, const Bounds& box, Interval& range) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -98,6 +98,7 @@ SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
     for (std::uint32_t object = 0; object < surfaces_.objects.size(); ++object) {
         if (surfaces_.objects[object].count == 0) continue;
         const Bounds box = surfaces_.bounds(object);
+        if (surfaces_.objects[object].part && box.is_empty()) continue;
         const bool fits = options.index != IndexKind::brute_force && box.is_finite() && reach(box, Vec3(0.0)) < largest_indexed;
         (fits ? indexed : listed_).push_back(object);
     }
@@ -105,6 +106,13 @@ SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
     if (options.index == IndexKind::automatic && primitive_count(surfaces_, indexed) <= list_limit) {
         listed_.insert(listed_.end(), indexed.begin(), indexed.end());
         indexed.clear();
+    }
+    for (const std::uint32_t object : listed_) {
+        const Surface& s = surfaces_.objects[object];
+        if (s.kind == SurfaceKind::sphere && indexed.empty())
+            listed_spheres_.push_back({surfaces_.spheres[s.first], object, s.first_primitive, s.seen});
+        else
+            listed_others_.push_back(object);
     }
     if (!indexed.empty()) embree_ = std::make_unique<EmbreeIndex>(surfaces_, indexed, options.precision, options.threads);
 }
@@ -117,7 +125,7 @@ bool SurfaceIndex::nearest(const Ray& ray, const Interval& range, RayKind kind, 
     const auto entry = embree_ ? embree_->enter(ray, inside) : EmbreeIndex::Entry::none;
     if (entry == EmbreeIndex::Entry::none && listed_.empty()) return false;
     Query query(ray, range, bit(kind));
-    for (const std::uint32_t object : listed_) surfaces_.test(object, query);
+    ask_listed(query);
     if (entry != EmbreeIndex::Entry::none) embree_->nearest(query, entry, inside);
     if (query.found) hit = query.best;
     return query.found;
@@ -139,7 +147,7 @@ std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& r
         const auto entry = embree_->enter(rays[i], inside[count]);
         if (entry == EmbreeIndex::Entry::none && listed_.empty()) continue;
         Query& query = queries[i].emplace(rays[i], range, bit(kind));
-        for (const std::uint32_t object : listed_) surfaces_.test(object, query);
+        ask_listed(query);
         if (entry == EmbreeIndex::Entry::far) embree_->nearest(query, entry, inside[count]);
         if (entry == EmbreeIndex::Entry::inside) entering[count++] = &query;
     }
@@ -159,7 +167,8 @@ bool SurfaceIndex::occluded(const Ray& ray, const Interval& range, Blocker& last
     Interval inside = range;
     const auto entry = embree_ ? embree_->enter(ray, inside) : EmbreeIndex::Entry::none;
     bool met = false;
-    for (std::size_t i = 0; i < listed_.size() && !met; ++i) met = surfaces_.test(listed_[i], query);
+    for (std::size_t i = 0; !embree_ && i < listed_spheres_.size() && !met; ++i) met = listed_spheres_[i].test(query);
+    for (std::size_t i = 0; i < listed_others_.size() && !met; ++i) met = surfaces_.test(listed_others_[i], query);
     if (!met && entry != EmbreeIndex::Entry::none) met = embree_->occluded(query, entry, inside);
     last = met ? Blocker{query.best.object, query.best.primitive} : Blocker{};
     return met;

@@ -27,8 +27,17 @@ public:
     bool indexed() const { return embree_ != nullptr; }
 
 private:
+    void ask_listed(Query& query) const {
+        if (!embree_)
+            for (const IndexedSphere& sphere : listed_spheres_) sphere.test(query);
+        for (const std::uint32_t object : listed_others_) surfaces_.test(object, query);
+    }
+
     Surfaces surfaces_;
     std::vector<std::uint32_t> listed_;
+    // The same once more, as they are asked: beside no index, spheres without a detour over their kind.
+    std::vector<IndexedSphere> listed_spheres_;
+    std::vector<std::uint32_t> listed_others_;
     std::unique_ptr<EmbreeIndex> embree_;
     bool exact_;  ///< every test is in doubles, so one surface answers as all of them would
 };

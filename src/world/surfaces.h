@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/shape.h"
+#include "world/set_table.h"
 #include "world/world.h"
 
 namespace rt {
@@ -25,7 +26,8 @@ struct Placed {
     Transform to_world;
 };
 
-enum class SurfaceKind : std::uint8_t { triangles, sphere, plane, placed_sphere, box, cone, torus, disc, polygon };
+/// Of a `part` of a set the shape is in `Surfaces::part_bodies`; parts made of triangles stay such.
+enum class SurfaceKind : std::uint8_t { sphere, plane, placed_sphere, box, cone, torus, disc, polygon, triangles, part };
 
 /// One object of the scene: where its shape lies among the arrays of `Surfaces`.
 struct Surface {
@@ -35,6 +37,7 @@ struct Surface {
     bool inverse = false;   ///< normals are negated
     bool of_mesh = false;
     bool mirrored = false;               ///< a mesh whose transform turned it inside out
+    bool part = false;                   ///< of a set, so that pieces of the surface may be missing
     std::uint32_t first_primitive = 0;   ///< primitives of an object are numbered in a row, objects in file order
     std::uint32_t count = 1;             ///< number of primitives: faces of a mesh
     std::uint32_t first = 0;             ///< index into the array of its kind
@@ -99,9 +102,20 @@ struct Surfaces {
     std::vector<Placed<Torus>> toruses;
     std::vector<Placed<Disc>> discs;
     std::vector<Placed<Polygon>> polygons;
+    SetTable sets;
+    std::vector<Surface> clips;  ///< bodies that only clip; of those without an inside nothing but their place
+    /// Of each object where there are sets.
+    struct PartPlace {
+        Bounds box;           ///< of what its set can leave over, with some room
+        double extent = 0.0;  ///< largest coordinate of the whole object
+    };
+    std::vector<PartPlace> part_places;
+    std::vector<Surface> part_bodies;  ///< what parts would be without their sets
 
     /// Adds one object; `seen` are the bits of `seen_by`. Throws LimitError beyond 2^32 - 1 primitives.
     void add(const Object& object, std::uint8_t seen);
+    /// After all objects: joins those of the scene's sets.
+    void join(const Scene& scene);
 
     /// Nearest hit of the ray with a whole object, offered to the query; true if it is the best so far.
     bool test(std::uint32_t object, Query& query) const;
@@ -117,7 +131,10 @@ struct Surfaces {
         ShapeHit hit;
         if (!intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.sheared(), query.range, hit)) return false;
         const std::uint32_t object = face_object[face];
-        return query.offer(hit, objects[object].first_primitive + (face - objects[object].first), object);
+        const Surface& s = objects[object];
+        if (s.part && !keeps(object, hit, query.ray)) [[unlikely]]
+            return false;
+        return query.offer(hit, s.first_primitive + (face - s.first), object);
     }
 
     /// For a triangle that single precision found: where the ray meets its plane, without asking whether that is inside the edges.
@@ -128,12 +145,22 @@ struct Surfaces {
     Vec3 flat_side(const Hit& hit, const Vec3& normal) const;
     /// Whether a ray of this direction comes from the inner side, which shows the interior texture.
     bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;
-    /// In world space; not finite for planes and for shapes too large for the numbers.
+    /// In world space; not finite for planes and for shapes too large for the numbers. Of a part the piece that its set can leave over,
+    /// which may be empty.
     Bounds bounds(std::uint32_t object) const;
     /// Whether the point is in the object's inside (or, for an inverse one, not). Flat shapes and meshes have none.
     bool contains(std::uint32_t object, const Vec3& point) const;
 
+    /// Whether its set leaves over the point of the object that the ray has met.
+    bool keeps(std::uint32_t object, const ShapeHit& hit, const Ray& ray) const;
+
+    /// The surface itself, or of a part what it would be without its set.
+    const Surface& body(const Surface& s) const { return s.kind == SurfaceKind::part ? part_bodies[s.first] : s; }
+
 private:
+    bool test_part(std::uint32_t object, Query& query) const;
+    bool test_faces(const Surface& s, Query& query) const;
+    void add_clip(const Object& clip);
     void add_triangle(const Transform& to_world, const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>* corner_normals, Surface& s);
     void add_mesh(const Transform& to_world, const MeshData& mesh, Surface& s);
     void add_shape(const Object& object, const Transform& to_world, Surface& s);

@@ -22,7 +22,7 @@ std::vector<std::string> features(const std::string& text) {
 }
 
 TEST(Unmodelled, IsAnErrorWithItsPlace) {
-    EXPECT_EQ(parse_block("union { sphere { 0, 1 } }").error, "'union' is not modelled.");
+    EXPECT_EQ(parse_block("blob { sphere { 0, 1, 1 } }").error, "'blob' is not modelled.");
     EXPECT_EQ(parse_block("sphere { 0, 1 normal { bumps 1 } }").error, "'normal' is not modelled.");
 }
 
@@ -30,7 +30,7 @@ TEST(Unmodelled, OnePassListsEverything) {
     EXPECT_THAT(
         features("sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb 0] } } } sphere { 0, 1 pigment { bozo turbulence 1 } "
                  "normal { bumps 1 } } union { sphere { 0, 1 } text { ttf \"a\" \"b\" 1, 0 } } fog { distance 3 }"),
-        ElementsAre("sky_sphere", "gradient", "bozo", "turbulence", "normal", "bumps", "union", "text", "fog"));
+        ElementsAre("sky_sphere", "gradient", "bozo", "turbulence", "normal", "bumps", "text", "fog"));
 }
 
 TEST(Unmodelled, SkippingStopsAtTheRightBrace) {
@@ -44,7 +44,7 @@ TEST(Unmodelled, TheRestOfTheSceneIsRead) {
     ParseOptions lenient;
     lenient.lenient = true;
     const ParsedScene p = parse_block(
-        "difference { box { -1, 1 } sphere { 0, 1 } pigment { rgb 1 } }\n#declare N = normal { bumps 1 }\n#declare Sky = sky_sphere { "
+        "blob { sphere { 0, 1, 1 } pigment { rgb 1 } }\n#declare N = normal { bumps 1 }\n#declare Sky = sky_sphere { "
         "pigment { "
         "rgb 1 } }\nsky_sphere { Sky }\nsphere { 0, 2 texture { pigment { granite scale 2 } normal { N } finish { phong 1 } } scale 3 }",
         lenient);
@@ -52,7 +52,7 @@ TEST(Unmodelled, TheRestOfTheSceneIsRead) {
     ASSERT_EQ(p.scene.objects.size(), 1u);
     EXPECT_EQ(layer(p.scene.objects[0]).finish.phong, 1.0);
     EXPECT_TRUE(p.scene.objects[0].transform);
-    EXPECT_THAT(p.messages, testing::Contains(HasSubstr("'difference' is not modelled and is ignored.")));
+    EXPECT_THAT(p.messages, testing::Contains(HasSubstr("'blob' is not modelled and is ignored.")));
 }
 
 TEST(Unmodelled, APatternIsShownInGrey) {
@@ -70,13 +70,13 @@ TEST(Unmodelled, CamerasLightsAndMeshes) {
 }
 
 TEST(Unmodelled, DeclaredButEmptyObjectsCanBePlaced) {
-    EXPECT_THAT(features("#declare U = union { sphere { 0, 1 } } object { U scale 2 pigment { rgb 1 } } U"), ElementsAre("union"));
+    EXPECT_THAT(features("#declare B = blob { sphere { 0, 1, 1 } } object { B scale 2 pigment { rgb 1 } } B"), ElementsAre("blob"));
 }
 
 TEST(Unmodelled, AnUnclosedBlockIsStillAnError) {
     ParseOptions options;
     options.collect_unmodelled = true;
-    EXPECT_EQ(parse_block("union { sphere { 0, 1 }", options).error, "No matching } in 'union', End of File found instead");
+    EXPECT_EQ(parse_block("blob { sphere { 0, 1, 1 }", options).error, "No matching } in 'blob', End of File found instead");
 }
 
 TEST(Nesting, IsLimited) {
