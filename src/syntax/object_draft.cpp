@@ -98,7 +98,7 @@ bool accept_flag(Reader& reader, ObjectDraft& draft) {
 /// A set of one object states what the object did.
 void state_as_whole(ObjectValue& value) {
     Object& object = value.objects.front();
-    Object& whole = value.whole;
+    Object& whole = value.whole.emplace_back();
     whole.texture = std::exchange(object.texture, std::nullopt);
     whole.interior_texture = std::exchange(object.interior_texture, std::nullopt);
     whole.interior = std::exchange(object.interior, std::nullopt);
@@ -204,17 +204,17 @@ void parse_modifiers(Reader& reader, ObjectDraft& draft, const ObjectSyntax& syn
 
 }  // namespace
 
-ObjectValue finish_object(Reader& reader, ObjectDraft draft, const ObjectSyntax& syntax) {
-    parse_modifiers(reader, draft, syntax);
-    move_parts(reader, reader.last_place(), draft);
+ObjectValue finish_object(Reader& reader, std::unique_ptr<ObjectDraft> draft, const ObjectSyntax& syntax) {
+    parse_modifiers(reader, *draft, syntax);
+    move_parts(reader, reader.last_place(), *draft);
     reader.end_block();
-    return std::move(draft.value);
+    return std::move(draft->value);
 }
 
 std::optional<Transform> parse_motion(Reader& reader) {
-    ObjectDraft unused;
-    parse_modifiers(reader, unused, {});
-    return unused.motion;
+    const auto unused = std::make_unique<ObjectDraft>();
+    parse_modifiers(reader, *unused, {});
+    return unused->motion;
 }
 
 }  // namespace rt

@@ -1,6 +1,8 @@
 // An object between its parameters and its '}': its modifiers.
 #pragma once
 
+#include <memory>
+
 #include "syntax/parse_shape.h"
 #include "syntax/reader.h"
 
@@ -12,20 +14,25 @@ struct ObjectSyntax {
     Word set = Word::none;
 };
 
-/// A single object is `value.objects.front()`; what a set states of itself is `value.whole`. Moving a texture that looks the same
+/// A single object is `value.objects.front()`; what a set states of itself is `value.whole`. Large: blocks inside each other keep theirs on
+/// the heap. Moving a texture that looks the same
 /// everywhere would only give every object a texture of its own, so what moves it is gathered and applied when it turns out to matter.
 struct ObjectDraft {
     ObjectValue value;
-    Object nothing;  ///< takes the modifiers of what can never be hit
+    std::vector<Object> nothing;  ///< one takes the modifiers of what can never be hit
     std::optional<Transform> motion;
     std::optional<Transform> texture_motion;
     std::optional<Transform> interior_texture_motion;
 
-    Object& object() { return value.root ? value.whole : value.objects.empty() ? nothing : value.objects.front(); }
+    Object& object() {
+        std::vector<Object>& list = value.root ? value.whole : value.objects.empty() ? nothing : value.objects;
+        if (list.empty()) list.emplace_back();
+        return list.front();
+    }
 };
 
 /// Reads every modifier up to the '}' and that, and applies them.
-ObjectValue finish_object(Reader& reader, ObjectDraft draft, const ObjectSyntax& syntax);
+ObjectValue finish_object(Reader& reader, std::unique_ptr<ObjectDraft> draft, const ObjectSyntax& syntax);
 /// Reads the modifiers of something that is no object: what moves it, all others meaning nothing.
 std::optional<Transform> parse_motion(Reader& reader);
 

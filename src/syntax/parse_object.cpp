@@ -11,16 +11,16 @@ namespace rt {
 namespace {
 
 ObjectValue parse_shape_block(Reader& reader, const ShapeSyntax& shape) {
-    ObjectDraft draft;
+    auto draft = std::make_unique<ObjectDraft>();
     const Span place = reader.take().span;
     reader.begin_block(text(shape.word));
     if (const ObjectValue* declared = reader.accept_declared<ObjectValue>()) {
-        draft.value = *declared;
+        draft->value = *declared;
     } else if (ParsedShape parsed = shape.parse(reader)) {
         Object object;
         object.shape = std::move(*parsed);
         object.span = place;
-        draft.value.objects.push_back(std::move(object));
+        draft->value.objects.push_back(std::move(object));
     }
     return finish_object(reader, std::move(draft), {.shape = &shape});
 }
@@ -74,11 +74,11 @@ void parse_parts(Reader& reader, Word set, ObjectValue& value) {
 ObjectValue parse_set_block(Reader& reader) {
     const Token word = reader.take();
     reader.begin_block(text(word.word));
-    ObjectDraft draft;
+    auto draft = std::make_unique<ObjectDraft>();
     if (const ObjectValue* declared = reader.accept_declared<ObjectValue>())
-        draft.value = *declared;
+        draft->value = *declared;
     else
-        parse_parts(reader, word.word, draft.value);
+        parse_parts(reader, word.word, draft->value);
     return finish_object(reader, std::move(draft), {.set = word.word});
 }
 
@@ -93,8 +93,8 @@ Placeable parse_object_block(Reader& reader) {
         reader.end_block();
         return std::move(*light);
     }
-    ObjectDraft draft;
-    draft.value = std::get<ObjectValue>(std::move(*inner));
+    auto draft = std::make_unique<ObjectDraft>();
+    draft->value = std::get<ObjectValue>(std::move(*inner));
     return finish_object(reader, std::move(draft), {});
 }
 

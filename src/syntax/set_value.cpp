@@ -115,9 +115,9 @@ void transform_parts(Reader& reader, const Span& place, ObjectValue& value, cons
 }
 
 void hand_down(ObjectValue& value) {
-    if (!value.root) return;
+    if (!value.root || value.whole.empty()) return;
     std::optional<std::uint32_t> first;
-    const Object& whole = value.whole;
+    const Object& whole = value.whole.front();
     for (std::size_t i = 0; i < value.objects.size(); ++i) {
         Object& object = value.objects[i];
         if (!object.texture) {
@@ -135,12 +135,12 @@ void hand_down(ObjectValue& value) {
         object.double_illuminate |= whole.double_illuminate;
         object.hollow |= whole.hollow;
     }
-    value.whole = Object();
+    value.whole.clear();
 }
 
 bool states_texture(const ObjectValue& value) {
     const auto states = [](const Object& object) { return object.texture || object.interior_texture; };
-    return states(value.whole) || std::any_of(value.objects.begin(), value.objects.end(), states);
+    return std::any_of(value.whole.begin(), value.whole.end(), states) || std::any_of(value.objects.begin(), value.objects.end(), states);
 }
 
 bool has_patch(const ObjectValue& value) { return std::any_of(value.objects.begin(), value.objects.end(), is_patch); }

@@ -34,7 +34,7 @@ struct ObjectValue {
     std::vector<Object> clips;
     std::vector<Light> lights;
     std::optional<SetPart> root;
-    Object whole;  ///< what a set states of itself and its parts have if they state none; no shape
+    std::vector<Object> whole;  ///< one if a set states anything itself, which its parts have if they state none; no shape
     bool operator==(const ObjectValue&) const = default;
 };
 
