@@ -10,10 +10,10 @@
 
 #include "core/shared.h"
 #include "core/source.h"
+#include "core/transform.h"
 #include "geometry/shape.h"
 #include "scene/cells.h"
 #include "scene/set.h"
-#include "scene/transform.h"
 
 namespace rt {
 

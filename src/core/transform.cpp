@@ -1,4 +1,4 @@
-#include "scene/transform.h"
+#include "core/transform.h"
 
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
 // POV-Ray's transforms, each formula written out for a point.
-#include "scene/transform.h"
+#include "core/transform.h"
 
 #include <gtest/gtest.h>
 

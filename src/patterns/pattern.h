@@ -1,0 +1,238 @@
+// One pattern of a pigment, a normal or a density, as a value: its kind and numbers, the chain of transforms and warps before it, the
+// frequency, phase and wave behind it. Everything is a pure function of a point.
+//
+//     q = pattern_point(pattern, p)       the chain, last written first, then the keyword `turbulence`
+//     raw = raw_value(pattern, q)         what the kind says
+//     v = wave_value(pattern, raw)        frequency, phase and wave: what a map is asked with
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/shared.h"
+#include "core/vec.h"
+#include "patterns/noise.h"
+#include "patterns/warp.h"
+
+namespace rt {
+
+/// The words of scene files, in POV-Ray's spelling.
+enum class PatternKind : std::uint8_t {
+    agate,
+    aoi,
+    average,
+    boxed,
+    bozo,
+    brick,
+    bumps,
+    cells,
+    checker,
+    crackle,
+    cubic,
+    cylindrical,
+    density_file,
+    dents,
+    facets,
+    function,
+    gradient,
+    granite,
+    hexagon,
+    image_pattern,
+    julia,
+    leopard,
+    magnet,
+    mandel,
+    marble,
+    object,
+    onion,
+    pavement,
+    pigment_pattern,
+    planar,
+    quilted,
+    radial,
+    ripples,
+    slope,
+    spherical,
+    spiral1,
+    spiral2,
+    spotted,
+    square,
+    tiling,
+    triangular,
+    waves,
+    wood,
+    wrinkles,
+};
+
+/// The kind that `word` names; nothing for other words.
+std::optional<PatternKind> pattern_kind(std::string_view word);
+std::string_view name(PatternKind kind);
+
+/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic, object): how many colours they list; 0 for all others, whose
+/// values are looked up in a map.
+int cell_count(PatternKind kind);
+inline bool has_cells(PatternKind kind) { return cell_count(kind) > 0; }
+/// Patterns whose value somebody else computes at `pattern_point`: function, image_pattern, pigment_pattern, object (a cell), average
+/// (none).
+bool is_computed_elsewhere(PatternKind kind);
+/// The value also depends on the surface: slope and aoi.
+inline bool needs_surface(PatternKind kind) { return kind == PatternKind::slope || kind == PatternKind::aoi; }
+
+enum class WaveType : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };
+
+/// `ramp_wave` ... `poly_wave`; nothing for other words.
+std::optional<WaveType> wave_type(std::string_view word);
+
+// The numbers of the kinds that have some.
+
+struct AgateNumbers {
+    double turbulence = 1.0;  ///< `agate_turb`
+    bool operator==(const AgateNumbers&) const = default;
+};
+
+struct BrickNumbers {
+    Vec3 size{8.0, 3.0, 4.5};  ///< with the mortar
+    double mortar = 0.5;
+    bool operator==(const BrickNumbers&) const = default;
+};
+
+struct CrackleNumbers {
+    double metric = 2.0;
+    double offset = 0.0;
+    Vec3 form{-1.0, 1.0, 0.0};
+    bool solid = false;
+    bool operator==(const CrackleNumbers&) const = default;
+};
+
+struct GradientNumbers {
+    Vec3 direction{1.0, 0.0, 0.0};  ///< as written; not zero
+    bool operator==(const GradientNumbers&) const = default;
+};
+
+/// julia, mandel and magnet: z starts at 0 (mandel, magnet mandel) or at the point, and c is the point or `c`.
+struct FractalNumbers {
+    int magnet = 1;      ///< formula 1 or 2 of `magnet`
+    bool julia = false;  ///< of `magnet`: julia or mandel
+    Vec2 c{0.0};         ///< of julia
+    int iterations = 1;  ///< at least 1
+    int exponent = 2;    ///< of julia and mandel: 2 to 33
+    int exterior = 1;    ///< how points outside are coloured: 0 to 8
+    double exterior_factor = 1.0;
+    int interior = 0;  ///< how points inside are coloured: 0 to 6
+    double interior_factor = 1.0;
+    bool operator==(const FractalNumbers&) const = default;
+};
+
+struct QuiltedNumbers {
+    double control0 = 1.0;
+    double control1 = 1.0;
+    bool operator==(const QuiltedNumbers&) const = default;
+};
+
+struct FacetsNumbers {
+    double size = 0.1;
+    double coords = 0.0;  ///< not 0: facets by place with this scale, not by direction
+    double metric = 2.0;
+    bool operator==(const FacetsNumbers&) const = default;
+};
+
+struct SlopeNumbers {
+    Vec3 slope{0.0, 1.0, 0.0};
+    Vec2 slope_range{0.0};  ///< lo, hi; no range where both are equal
+    Vec3 altitude{0.0};     ///< zero: slope alone
+    Vec2 altitude_range{0.0};
+    bool operator==(const SlopeNumbers&) const = default;
+};
+
+/// spiral1 and spiral2.
+struct SpiralNumbers {
+    double arms = 1.0;
+    bool operator==(const SpiralNumbers&) const = default;
+};
+
+struct TilingNumbers {
+    int type = 1;  ///< 1 to 24
+    bool operator==(const TilingNumbers&) const = default;
+};
+
+struct PavementNumbers {
+    int sides = 4;  ///< 3, 4 or 6
+    int tiles = 1;
+    int pattern = 1;
+    int exterior = 0;
+    int interior = 0;
+    int form = 0;
+    bool operator==(const PavementNumbers&) const = default;
+};
+
+/// ripples and waves.
+struct WavesNumbers {
+    int sources = 10;  ///< the global `number_of_waves`, at least 1
+    bool operator==(const WavesNumbers&) const = default;
+};
+
+/// A block of numbers 0..1; x runs fastest, then y.
+struct ValueGrid {
+    int width = 0;
+    int height = 0;
+    int depth = 0;
+    std::vector<float> values;
+    bool operator==(const ValueGrid&) const = default;
+};
+
+struct DensityNumbers {
+    Shared<ValueGrid> grid;
+    int interpolate = 1;  ///< 0 none, 1 trilinear, 2 tricubic
+    bool operator==(const DensityNumbers&) const = default;
+};
+
+using PatternNumbers =
+    std::variant<std::monostate, AgateNumbers, BrickNumbers, CrackleNumbers, GradientNumbers, FractalNumbers, QuiltedNumbers, FacetsNumbers,
+                 SlopeNumbers, SpiralNumbers, TilingNumbers, PavementNumbers, WavesNumbers, DensityNumbers>;
+
+struct Pattern {
+    PatternKind kind = PatternKind::bozo;
+    NoiseGenerator noise = NoiseGenerator::range_corrected;
+    WaveType wave = WaveType::ramp;
+    double frequency = 1.0;  ///< 0: neither frequency nor phase acts
+    double phase = 0.0;
+    double wave_exponent = 1.0;  ///< of `poly_wave`
+    PatternNumbers numbers;
+    std::vector<Warp> warps;               ///< transforms and warps, in the order of the file
+    std::optional<Turbulence> turbulence;  ///< the keywords `turbulence`, `octaves`, `omega`, `lambda`: last of all, whatever their place
+    bool operator==(const Pattern&) const = default;
+};
+
+/// A pattern of `kind` with POV-Ray's defaults: its numbers, and the triangle wave for marble, wood, spiral1 and spiral2.
+Pattern make_pattern(PatternKind kind);
+
+/// Appends a transform (pattern space to the space around it) to the chain, as one step with a transform just before it.
+void append(Pattern& pattern, const Transform& transform);
+
+/// What a pattern may ask of the surface besides the point.
+struct PatternSurface {
+    Vec3 normal{0.0, 1.0, 0.0};      ///< unit, as perturbed so far, turned against the ray
+    Vec3 direction{0.0, -1.0, 0.0};  ///< of the ray, unit
+};
+
+/// From the space around to the point that the kind sees.
+Vec3 pattern_point(const Pattern& pattern, const Vec3& p);
+/// The point that the entries of a map see: that of the kind, except after `warp { reset_children }`.
+Vec3 children_point(const Pattern& pattern, const Vec3& p);
+/// The kind's value at a pattern point; 0 for kinds with cells and for those computed elsewhere.
+double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& surface = {});
+/// Frequency, phase and wave.
+double wave_value(const Pattern& pattern, double raw);
+/// All three: what a map is asked with.
+double pattern_value(const Pattern& pattern, const Vec3& p, const PatternSurface& surface = {});
+
+/// The index of the colour at a pattern point, 0 to cell_count - 1; 0 for `object`, which is computed elsewhere. Frequency, phase and wave
+/// do not act on cells.
+int raw_cell(const Pattern& pattern, const Vec3& q);
+/// The same from the space around.
+int pattern_cell(const Pattern& pattern, const Vec3& p);
+
+}  // namespace rt

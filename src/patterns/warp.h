@@ -1,0 +1,65 @@
+// What moves a point before a pattern sees it: transforms, turbulence and the other warps, as values and as pure functions.
+#pragma once
+
+#include <variant>
+
+#include "core/transform.h"
+#include "core/vec.h"
+
+namespace rt {
+
+/// `turbulence V octaves n omega o lambda l`, as keywords of a pattern or inside a warp.
+struct Turbulence {
+    Vec3 amount{0.0};
+    int octaves = 6;  ///< 1 to 10
+    double omega = 0.5;
+    double lambda = 2.0;
+    bool operator==(const Turbulence&) const = default;
+};
+
+/// `repeat V offset O flip F`: blocks of width V along one axis.
+struct RepeatWarp {
+    Vec3 width{0.0};  ///< exactly one component is not zero
+    Vec3 offset{0.0};
+    Vec3 flip{0.0};
+    bool operator==(const RepeatWarp&) const = default;
+};
+
+struct BlackHoleWarp {
+    Vec3 center{0.0};
+    double radius = 1.0;
+    double strength = 1.0;
+    double falloff = 2.0;
+    bool inverse = false;
+    Vec3 repeat{0.0};      ///< 0: no repetition on that axis
+    Vec3 turbulence{0.0};  ///< acts with `repeat` alone
+    bool operator==(const BlackHoleWarp&) const = default;
+};
+
+/// Wraps the plane z = 0 (or that of another orientation) around a body.
+struct MappingWarp {
+    enum class Kind { spherical, cylindrical, toroidal, planar };
+    Kind kind = Kind::spherical;
+    Vec3 orientation{0.0, 0.0, 1.0};  ///< of planar: the normal
+    double distance_exponent = 0.0;   ///< `dist_exp`
+    double major_radius = 1.0;        ///< of toroidal
+    double distance = 0.0;            ///< of planar
+    bool operator==(const MappingWarp&) const = default;
+};
+
+/// The unfolded cube.
+struct CubicWarp {
+    bool operator==(const CubicWarp&) const = default;
+};
+
+/// `warp { reset_children }`: moves nothing; says where the entries of a map begin.
+struct ResetChildren {
+    bool operator==(const ResetChildren&) const = default;
+};
+
+using Warp = std::variant<Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp, CubicWarp, ResetChildren>;
+
+/// The point that a pattern sees which was written before this step: the transform undone, the warp applied.
+Vec3 warped(const Warp& warp, const Vec3& p);
+
+}  // namespace rt
