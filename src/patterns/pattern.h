@@ -1,5 +1,5 @@
 // One pattern of a pigment, a normal or a density, as a value: its kind and numbers, the chain of transforms and warps before it, the
-// frequency, phase and wave behind it. Everything is a pure function of a point.
+// frequency, phase and wave behind it. Everything is a pure function of a point. What POV-Ray keeps in single precision is `float` here.
 //
 //     q = pattern_point(pattern, p)       the chain, last written first, then the keyword `turbulence`
 //     raw = raw_value(pattern, q)         what the kind says
@@ -89,7 +89,7 @@ std::optional<WaveType> wave_type(std::string_view word);
 // The numbers of the kinds that have some.
 
 struct AgateNumbers {
-    double turbulence = 1.0;  ///< `agate_turb`
+    float turbulence = 1.0F;  ///< `agate_turb`
     bool operator==(const AgateNumbers&) const = default;
 };
 
@@ -127,8 +127,8 @@ struct FractalNumbers {
 };
 
 struct QuiltedNumbers {
-    double control0 = 1.0;
-    double control1 = 1.0;
+    float control0 = 1.0F;
+    float control1 = 1.0F;
     bool operator==(const QuiltedNumbers&) const = default;
 };
 
@@ -168,9 +168,19 @@ struct PavementNumbers {
     bool operator==(const PavementNumbers&) const = default;
 };
 
+/// One centre of ripples and waves.
+struct WaveSource {
+    Vec3 center;
+    double frequency;  ///< of waves
+    bool operator==(const WaveSource&) const = default;
+};
+
+/// The centres for the global `number_of_waves`, at least 1; POV-Ray's default is 10.
+std::vector<WaveSource> wave_sources(int count);
+
 /// ripples and waves.
 struct WavesNumbers {
-    int sources = 10;  ///< the global `number_of_waves`, at least 1
+    Shared<std::vector<WaveSource>> sources;
     bool operator==(const WavesNumbers&) const = default;
 };
 
@@ -197,10 +207,10 @@ struct Pattern {
     PatternKind kind = PatternKind::bozo;
     NoiseGenerator noise = NoiseGenerator::range_corrected;
     WaveType wave = WaveType::ramp;
-    double frequency = 1.0;  ///< 0: neither frequency nor phase acts
-    double phase = 0.0;
-    double wave_exponent = 1.0;  ///< of `poly_wave`
-    PatternNumbers numbers;
+    float frequency = 1.0F;  ///< 0: neither frequency nor phase acts
+    float phase = 0.0F;
+    float wave_exponent = 1.0F;            ///< of `poly_wave`
+    PatternNumbers numbers;                ///< those of `kind`
     std::vector<Warp> warps;               ///< transforms and warps, in the order of the file
     std::optional<Turbulence> turbulence;  ///< the keywords `turbulence`, `octaves`, `omega`, `lambda`: last of all, whatever their place
     bool operator==(const Pattern&) const = default;

@@ -1,4 +1,5 @@
-// What moves a point before a pattern sees it: transforms, turbulence and the other warps, as values and as pure functions.
+// What moves a point before a pattern sees it: transforms, turbulence and the other warps, as values and as pure functions. What POV-Ray
+// keeps in single precision is `float` here.
 #pragma once
 
 #include <variant>
@@ -12,14 +13,15 @@ namespace rt {
 struct Turbulence {
     Vec3 amount{0.0};
     int octaves = 6;  ///< 1 to 10
-    double omega = 0.5;
-    double lambda = 2.0;
+    float omega = 0.5F;
+    float lambda = 2.0F;
     bool operator==(const Turbulence&) const = default;
 };
 
 /// `repeat V offset O flip F`: blocks of width V along one axis.
 struct RepeatWarp {
-    Vec3 width{0.0};  ///< exactly one component is not zero
+    int axis = 0;
+    float width = 1.0F;  ///< not 0
     Vec3 offset{0.0};
     Vec3 flip{0.0};
     bool operator==(const RepeatWarp&) const = default;
@@ -35,6 +37,9 @@ struct BlackHoleWarp {
     Vec3 turbulence{0.0};  ///< acts with `repeat` alone
     bool operator==(const BlackHoleWarp&) const = default;
 };
+
+/// Raises centre and repeat of a repeated black hole to what POV-Ray demands, so that no hole leaves its block; true if it changed any.
+bool fit_repeat(BlackHoleWarp& hole);
 
 /// Wraps the plane z = 0 (or that of another orientation) around a body.
 struct MappingWarp {

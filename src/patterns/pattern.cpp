@@ -1,0 +1,147 @@
+#include "patterns/pattern.h"
+
+#include "patterns/cell_patterns.h"
+#include "patterns/noise_patterns.h"
+#include "patterns/plain_patterns.h"
+
+namespace rt {
+
+namespace {
+
+template <typename Numbers>
+const Numbers& numbers(const Pattern& pattern) {
+    return std::get<Numbers>(pattern.numbers);
+}
+
+/// The chain of transforms and warps from its end back to, and without, the step `first`.
+Vec3 chained(const Pattern& pattern, Vec3 p, std::size_t first) {
+    for (std::size_t i = pattern.warps.size(); i-- > first;) p = warped(pattern.warps[i], p);
+    return p;
+}
+
+}  // namespace
+
+void append(Pattern& pattern, const Transform& transform) {
+    auto* last = pattern.warps.empty() ? nullptr : std::get_if<Transform>(&pattern.warps.back());
+    if (last != nullptr)
+        *last = last->then(transform);
+    else
+        pattern.warps.emplace_back(transform);
+}
+
+Vec3 pattern_point(const Pattern& pattern, const Vec3& p) {
+    const Vec3 q = chained(pattern, p, 0);
+    if (!pattern.turbulence || pattern.turbulence->amount == Vec3(0.0)) return q;
+    if (pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood) return q;
+    return warped(*pattern.turbulence, q);
+}
+
+Vec3 children_point(const Pattern& pattern, const Vec3& p) { return pattern_point(pattern, p); }
+
+double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& surface) {
+    using K = PatternKind;
+    switch (pattern.kind) {
+        case K::agate:
+            return agate(pattern, q);
+        case K::aoi:
+            return angle_of_incidence(surface);
+        case K::boxed:
+            return boxed(q);
+        case K::bozo:
+        case K::bumps:
+        case K::spotted:
+            return noise(pattern.noise, q);
+        case K::cells:
+            return cells(q);
+        case K::crackle:
+            return crackle(numbers<CrackleNumbers>(pattern), pattern.noise, q);
+        case K::cylindrical:
+            return cylindrical(q);
+        case K::dents: {
+            const double n = noise(pattern.noise, q);
+            return n * n * n;
+        }
+        case K::gradient:
+            return gradient(numbers<GradientNumbers>(pattern), q);
+        case K::granite:
+            return granite(pattern.noise, q);
+        case K::leopard:
+            return leopard(q);
+        case K::marble:
+            return marble(pattern, q);
+        case K::onion:
+            return onion(q);
+        case K::planar:
+            return planar(q);
+        case K::quilted:
+            return quilted(numbers<QuiltedNumbers>(pattern), q);
+        case K::radial:
+            return radial(q);
+        case K::ripples:
+            return ripples(pattern, q);
+        case K::slope:
+            return slope(numbers<SlopeNumbers>(pattern), q, surface);
+        case K::spherical:
+            return spherical(q);
+        case K::spiral1:
+            return spiral1(numbers<SpiralNumbers>(pattern), q);
+        case K::spiral2:
+            return spiral2(numbers<SpiralNumbers>(pattern), q);
+        case K::waves:
+            return waves(pattern, q);
+        case K::wood:
+            return wood(pattern, q);
+        case K::wrinkles:
+            return wrinkles(pattern.noise, q);
+        default:
+            return 0.0;
+    }
+}
+
+double wave_value(const Pattern& pattern, double raw) {
+    double v = raw;
+    if (pattern.frequency != 0.0) v = std::fmod(v * pattern.frequency + pattern.phase, 1.00001);
+    if (v < 0.0) v -= std::floor(v);
+    switch (pattern.wave) {
+        case WaveType::ramp:
+            return v;
+        case WaveType::triangle:
+            return triangle_wave(v);
+        case WaveType::sine:
+            return 0.5 * (1.0 + cycle(v));
+        case WaveType::scallop:
+            return std::fabs(cycle(0.5 * v));
+        case WaveType::cubic:
+            return v * v * (3.0 - 2.0 * v);
+        case WaveType::poly:
+            break;
+    }
+    return std::pow(v, pattern.wave_exponent);
+}
+
+double pattern_value(const Pattern& pattern, const Vec3& p, const PatternSurface& surface) {
+    return wave_value(pattern, raw_value(pattern, pattern_point(pattern, p), surface));
+}
+
+int raw_cell(const Pattern& pattern, const Vec3& q) {
+    switch (pattern.kind) {
+        case PatternKind::brick:
+            return brick(numbers<BrickNumbers>(pattern), q);
+        case PatternKind::checker:
+            return checker(q);
+        case PatternKind::cubic:
+            return cubic(q);
+        case PatternKind::hexagon:
+            return hexagon(q);
+        case PatternKind::square:
+            return square(q);
+        case PatternKind::triangular:
+            return triangular(q);
+        default:
+            return 0;
+    }
+}
+
+int pattern_cell(const Pattern& pattern, const Vec3& p) { return raw_cell(pattern, pattern_point(pattern, p)); }
+
+}  // namespace rt
