@@ -22,6 +22,11 @@ const std::vector<WaveSource>& sources_of(const Pattern& pattern) { return *std:
 
 double cycle(double v) { return std::sin(2.0 * pi * std::fmod(v, 1.0)); }
 
+double dents(NoiseGenerator generator, const Vec3& p) {
+    const double n = noise(generator, p);
+    return n * n * n;
+}
+
 double wrinkles(NoiseGenerator generator, const Vec3& p) {
     double sum = 0.0, scale = 1.0;
     for (int i = 0; i < 10; ++i, scale *= 2.0) sum += stretched_noise(generator, scale * p) / scale;

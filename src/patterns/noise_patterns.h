@@ -9,6 +9,7 @@ namespace rt {
 /// sin(2 pi v), computed from v's fraction.
 double cycle(double v);
 
+double dents(NoiseGenerator generator, const Vec3& p);
 double wrinkles(NoiseGenerator generator, const Vec3& p);
 double granite(NoiseGenerator generator, const Vec3& p);
 double agate(const Pattern& pattern, const Vec3& p);

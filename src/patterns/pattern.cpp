@@ -1,6 +1,7 @@
 #include "patterns/pattern.h"
 
 #include "patterns/cell_patterns.h"
+#include "patterns/fractal_patterns.h"
 #include "patterns/noise_patterns.h"
 #include "patterns/plain_patterns.h"
 
@@ -8,9 +9,43 @@ namespace rt {
 
 namespace {
 
+using K = PatternKind;
+
 template <typename Numbers>
 const Numbers& numbers(const Pattern& pattern) {
     return std::get<Numbers>(pattern.numbers);
+}
+
+/// The kinds that are made of noise.
+double noise_value(const Pattern& pattern, const Vec3& q) {
+    switch (pattern.kind) {
+        case K::agate:
+            return agate(pattern, q);
+        case K::bozo:
+        case K::bumps:
+        case K::spotted:
+            return noise(pattern.noise, q);
+        case K::cells:
+            return cells(q);
+        case K::crackle:
+            return crackle(numbers<CrackleNumbers>(pattern), pattern.noise, q);
+        case K::dents:
+            return dents(pattern.noise, q);
+        case K::granite:
+            return granite(pattern.noise, q);
+        case K::marble:
+            return marble(pattern, q);
+        case K::ripples:
+            return ripples(pattern, q);
+        case K::waves:
+            return waves(pattern, q);
+        case K::wood:
+            return wood(pattern, q);
+        case K::wrinkles:
+            return wrinkles(pattern.noise, q);
+        default:
+            return 0.0;
+    }
 }
 
 /// The chain of transforms and warps from its end back to, and without, the step `first`.
@@ -32,43 +67,30 @@ void append(Pattern& pattern, const Transform& transform) {
 Vec3 pattern_point(const Pattern& pattern, const Vec3& p) {
     const Vec3 q = chained(pattern, p, 0);
     if (!pattern.turbulence || pattern.turbulence->amount == Vec3(0.0)) return q;
-    if (pattern.kind == PatternKind::marble || pattern.kind == PatternKind::wood) return q;
+    if (pattern.kind == K::marble || pattern.kind == K::wood) return q;
     return warped(*pattern.turbulence, q);
 }
 
 Vec3 children_point(const Pattern& pattern, const Vec3& p) { return pattern_point(pattern, p); }
 
 double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& surface) {
-    using K = PatternKind;
     switch (pattern.kind) {
-        case K::agate:
-            return agate(pattern, q);
         case K::aoi:
             return angle_of_incidence(surface);
         case K::boxed:
             return boxed(q);
-        case K::bozo:
-        case K::bumps:
-        case K::spotted:
-            return noise(pattern.noise, q);
-        case K::cells:
-            return cells(q);
-        case K::crackle:
-            return crackle(numbers<CrackleNumbers>(pattern), pattern.noise, q);
         case K::cylindrical:
             return cylindrical(q);
-        case K::dents: {
-            const double n = noise(pattern.noise, q);
-            return n * n * n;
-        }
         case K::gradient:
             return gradient(numbers<GradientNumbers>(pattern), q);
-        case K::granite:
-            return granite(pattern.noise, q);
+        case K::julia:
+            return julia(numbers<FractalNumbers>(pattern), q);
         case K::leopard:
             return leopard(q);
-        case K::marble:
-            return marble(pattern, q);
+        case K::magnet:
+            return magnet(numbers<FractalNumbers>(pattern), q);
+        case K::mandel:
+            return mandel(numbers<FractalNumbers>(pattern), q);
         case K::onion:
             return onion(q);
         case K::planar:
@@ -77,8 +99,6 @@ double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& su
             return quilted(numbers<QuiltedNumbers>(pattern), q);
         case K::radial:
             return radial(q);
-        case K::ripples:
-            return ripples(pattern, q);
         case K::slope:
             return slope(numbers<SlopeNumbers>(pattern), q, surface);
         case K::spherical:
@@ -87,14 +107,8 @@ double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& su
             return spiral1(numbers<SpiralNumbers>(pattern), q);
         case K::spiral2:
             return spiral2(numbers<SpiralNumbers>(pattern), q);
-        case K::waves:
-            return waves(pattern, q);
-        case K::wood:
-            return wood(pattern, q);
-        case K::wrinkles:
-            return wrinkles(pattern.noise, q);
         default:
-            return 0.0;
+            return noise_value(pattern, q);
     }
 }
 
@@ -125,17 +139,17 @@ double pattern_value(const Pattern& pattern, const Vec3& p, const PatternSurface
 
 int raw_cell(const Pattern& pattern, const Vec3& q) {
     switch (pattern.kind) {
-        case PatternKind::brick:
+        case K::brick:
             return brick(numbers<BrickNumbers>(pattern), q);
-        case PatternKind::checker:
+        case K::checker:
             return checker(q);
-        case PatternKind::cubic:
+        case K::cubic:
             return cubic(q);
-        case PatternKind::hexagon:
+        case K::hexagon:
             return hexagon(q);
-        case PatternKind::square:
+        case K::square:
             return square(q);
-        case PatternKind::triangular:
+        case K::triangular:
             return triangular(q);
         default:
             return 0;

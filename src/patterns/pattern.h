@@ -112,16 +112,19 @@ struct GradientNumbers {
     bool operator==(const GradientNumbers&) const = default;
 };
 
-/// julia, mandel and magnet: z starts at 0 (mandel, magnet mandel) or at the point, and c is the point or `c`.
+/// julia, mandel and magnet.
 struct FractalNumbers {
     int magnet = 1;      ///< formula 1 or 2 of `magnet`
-    bool julia = false;  ///< of `magnet`: julia or mandel
-    Vec2 c{0.0};         ///< of julia
-    int iterations = 1;  ///< at least 1
+    bool julia = false;  ///< `magnet n julia c, ...`, not `magnet n mandel ...`
+    Vec2 c{0.0};         ///< of both kinds of julia
+    int iterations = 1;  ///< steps at most; what a point costs
     int exponent = 2;    ///< of julia and mandel: 2 to 33
-    int exterior = 1;    ///< how points outside are coloured: 0 to 8
+    /// What points outside show: 0 the factor alone, 1 the share of steps (without factor), 2 and 3 the real and imaginary part, 4 and 5
+    /// their squares, 6 the magnitude.
+    int exterior = 1;
     double exterior_factor = 1.0;
-    int interior = 0;  ///< how points inside are coloured: 0 to 6
+    /// What points inside show: 0 the factor alone, 1 how near the orbit came to 0, 2 to 5 as outside, 6 the squared magnitude.
+    int interior = 0;
     double interior_factor = 1.0;
     bool operator==(const FractalNumbers&) const = default;
 };

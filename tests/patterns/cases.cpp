@@ -1,5 +1,7 @@
 #include "tests/patterns/cases.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 
 #include "patterns/hash.h"
@@ -155,6 +157,39 @@ void add_warps(std::vector<PatternCase>& cases) {
     cases.push_back(warped_case("warp{cubic}", {CubicWarp{}}));
 }
 
+void add_fractals(std::vector<PatternCase>& cases) {
+    const auto add = [&](const std::string& text, K kind, FractalNumbers numbers) {
+        for (const int type : {0, 1, 2, 3, 4, 5, 6}) {
+            if (kind == K::magnet && (type == 4 || type == 5)) continue;  // squares of large numbers: they keep few digits
+            numbers.exterior = numbers.interior = type;
+            numbers.exterior_factor = .3;
+            numbers.interior_factor = .7;
+            const std::string types = fmt::format(" exterior {} .3 interior {} .7 frequency .25 scale 2", type, type);
+            cases.push_back(make(text + types, kind, [&](Pattern& p) {
+                p.numbers = numbers;
+                p.frequency = .25F;
+                append(p, Transform::scale(Vec3(2.0)));
+            }));
+        }
+    };
+    FractalNumbers numbers;
+    numbers.iterations = 12;
+    add("mandel 12", K::mandel, numbers);
+    add("magnet 1 mandel 12", K::magnet, numbers);
+    numbers.magnet = 2;
+    add("magnet 2 mandel 12", K::magnet, numbers);
+    numbers.c = {.3, -.4};
+    add("julia <.3,-.4>, 12", K::julia, numbers);
+    numbers.julia = true;
+    add("magnet 2 julia <.3,-.4>, 12", K::magnet, numbers);
+    for (const int exponent : {3, 4, 7, 33}) {
+        numbers.exponent = exponent;
+        cases.push_back(with("julia <.3,-.4>, 12 exponent " + std::to_string(exponent), K::julia, numbers));
+        cases.push_back(with("mandel 12 exponent " + std::to_string(exponent), K::mandel, numbers));
+    }
+    cases.push_back(make("mandel 5", K::mandel, [](Pattern& p) { std::get<FractalNumbers>(p.numbers).iterations = 5; }));
+}
+
 }  // namespace
 
 std::vector<PatternCase> pattern_cases() {
@@ -163,6 +198,7 @@ std::vector<PatternCase> pattern_cases() {
     add_noises(cases);
     add_waves(cases);
     add_warps(cases);
+    add_fractals(cases);
     return cases;
 }
 
