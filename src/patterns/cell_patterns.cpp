@@ -46,9 +46,26 @@ int hexagon(const Vec3& p) {
     return up / across < 1.0 ? below[zm] : above[zm];
 }
 
-int square(const Vec3& p) { return whole_modulo(std::floor(p.x), 2) + 2 * whole_modulo(std::floor(p.z), 2); }
+int square(const Vec3& p) {
+    static constexpr int cell[2][2] = {{0, 1}, {3, 2}};  // by column, then row
+    return cell[whole_modulo(std::floor(p.x), 2)][whole_modulo(std::floor(p.z), 2)];
+}
 
-int triangular(const Vec3&) { return 0; }
+int triangular(const Vec3& p) {
+    const double height = p.z / 0.8660254037844386;
+    const double strip = std::floor(height), column = std::floor(p.x);
+    const double t = height - strip, f = p.x - column;
+    const auto third = [](double whole) { return whole_modulo(whole, 3); };
+    if (whole_modulo(strip, 2) == 0) {  // triangles stand on whole numbers
+        static constexpr int standing[3] = {0, 4, 2}, hanging[3] = {1, 3, 5};
+        if (f >= 0.5 * t && f <= 1.0 - 0.5 * t) return standing[third(column)];
+        return hanging[third(f < 0.5 ? column : column + 1.0)];
+    }
+    static constexpr int standing[3] = {4, 2, 0}, hanging[3] = {5, 1, 3};  // between them
+    const double rest = 0.5 * (1.0 - t);
+    if (f >= rest && f <= 1.0 - rest) return hanging[third(column)];
+    return standing[third(f < 0.5 ? column : column + 1.0)];
+}
 
 int cubic(const Vec3& p) {
     const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);

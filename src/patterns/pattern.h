@@ -136,8 +136,8 @@ struct QuiltedNumbers {
 };
 
 struct FacetsNumbers {
-    double size = 0.1;
-    double coords = 0.0;  ///< not 0: facets by place with this scale, not by direction
+    float size = 0.1F;
+    float coords = 0.0F;  ///< not 0: facets by place with this scale, not by direction
     double metric = 2.0;
     bool operator==(const FacetsNumbers&) const = default;
 };

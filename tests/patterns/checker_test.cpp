@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace rt {
 namespace {
 
@@ -19,7 +21,7 @@ TEST(Checker, AFaceBelongsToTheCubeAboveItWithinTheOffset) {
 }
 
 TEST(Checker, FarAwayItIsStillZeroOrOne) {
-    for (const double far : {1e9, 1e15, 1e18, -1e18, 1e300}) {
+    for (const double far : {1e9, 1e15, 1e18, -1e18, 1e300, std::numeric_limits<double>::infinity()}) {
         const int parity = checker({far, far, -far});
         EXPECT_TRUE(parity == 0 || parity == 1);
     }
