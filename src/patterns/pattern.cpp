@@ -1,6 +1,7 @@
 #include "patterns/pattern.h"
 
 #include "patterns/cell_patterns.h"
+#include "patterns/density.h"
 #include "patterns/fractal_patterns.h"
 #include "patterns/noise_patterns.h"
 #include "patterns/plain_patterns.h"
@@ -48,12 +49,6 @@ double noise_value(const Pattern& pattern, const Vec3& q) {
     }
 }
 
-/// The chain of transforms and warps from its end back to, and without, the step `first`.
-Vec3 chained(const Pattern& pattern, Vec3 p, std::size_t first) {
-    for (std::size_t i = pattern.warps.size(); i-- > first;) p = warped(pattern.warps[i], p);
-    return p;
-}
-
 }  // namespace
 
 void append(Pattern& pattern, const Transform& transform) {
@@ -65,13 +60,12 @@ void append(Pattern& pattern, const Transform& transform) {
 }
 
 Vec3 pattern_point(const Pattern& pattern, const Vec3& p) {
-    const Vec3 q = chained(pattern, p, 0);
+    Vec3 q = p;
+    for (std::size_t i = pattern.warps.size(); i-- > 0;) q = warped(pattern.warps[i], q);
     if (!pattern.turbulence || pattern.turbulence->amount == Vec3(0.0)) return q;
     if (pattern.kind == K::marble || pattern.kind == K::wood) return q;
     return warped(*pattern.turbulence, q);
 }
-
-Vec3 children_point(const Pattern& pattern, const Vec3& p) { return pattern_point(pattern, p); }
 
 double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& surface) {
     switch (pattern.kind) {
@@ -81,6 +75,8 @@ double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& su
             return boxed(q);
         case K::cylindrical:
             return cylindrical(q);
+        case K::density_file:
+            return density(numbers<DensityNumbers>(pattern), q);
         case K::gradient:
             return gradient(numbers<GradientNumbers>(pattern), q);
         case K::julia:

@@ -231,10 +231,8 @@ struct PatternSurface {
     Vec3 direction{0.0, -1.0, 0.0};  ///< of the ray, unit
 };
 
-/// From the space around to the point that the kind sees.
+/// From the space around to the point that the kind and the entries of a map see.
 Vec3 pattern_point(const Pattern& pattern, const Vec3& p);
-/// The point that the entries of a map see: that of the kind, except after `warp { reset_children }`.
-Vec3 children_point(const Pattern& pattern, const Vec3& p);
 /// The kind's value at a pattern point; 0 for kinds with cells and for those computed elsewhere.
 double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& surface = {});
 /// Frequency, phase and wave.

@@ -100,7 +100,6 @@ Vec3 warp(const CubicWarp&, const Vec3& p) {
 
 Vec3 warp(const Transform& transform, const Vec3& p) { return transform.inverse_point(p); }
 Vec3 warp(const Turbulence& turbulence, const Vec3& p) { return p + turbulence.amount * vector_turbulence(turbulence, p); }
-Vec3 warp(const ResetChildren&, const Vec3& p) { return p; }
 
 }  // namespace
 

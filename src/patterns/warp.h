@@ -57,12 +57,7 @@ struct CubicWarp {
     bool operator==(const CubicWarp&) const = default;
 };
 
-/// `warp { reset_children }`: moves nothing; says where the entries of a map begin.
-struct ResetChildren {
-    bool operator==(const ResetChildren&) const = default;
-};
-
-using Warp = std::variant<Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp, CubicWarp, ResetChildren>;
+using Warp = std::variant<Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp, CubicWarp>;
 
 /// The point that a pattern sees which was written before this step: the transform undone, the warp applied.
 Vec3 warped(const Warp& warp, const Vec3& p);

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "patterns/density.h"
 #include "patterns/hash.h"
 
 namespace rt {
@@ -190,7 +191,26 @@ void add_fractals(std::vector<PatternCase>& cases) {
     cases.push_back(make("mandel 5", K::mandel, [](Pattern& p) { std::get<FractalNumbers>(p.numbers).iterations = 5; }));
 }
 
+/// A grid of 3 x 4 x 5 numbers, which the test also writes to cases.df3.
+void add_densities(std::vector<PatternCase>& cases) {
+    for (int interpolate = 0; interpolate <= 2; ++interpolate) {
+        const std::string text = fmt::format("density_file df3 \"cases.df3\" interpolate {} scale 4 translate -2", interpolate);
+        cases.push_back(make(text, K::density_file, [&](Pattern& p) {
+            p.numbers = DensityNumbers{Shared<ValueGrid>(*read_df3(case_density())), interpolate};
+            append(p, Transform::scale(Vec3(4.0)));
+            append(p, Transform::translate(Vec3(-2.0)));
+        }));
+    }
+}
+
 }  // namespace
+
+std::string case_density() {
+    std::string bytes{"\0\3\0\4\0\5", 6};
+    TableRandom draw{3};
+    for (int i = 0; i < 60; ++i) bytes += static_cast<char>(draw() % 256);
+    return bytes;
+}
 
 std::vector<PatternCase> pattern_cases() {
     std::vector<PatternCase> cases;
@@ -199,6 +219,7 @@ std::vector<PatternCase> pattern_cases() {
     add_waves(cases);
     add_warps(cases);
     add_fractals(cases);
+    add_densities(cases);
     return cases;
 }
 

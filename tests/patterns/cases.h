@@ -14,6 +14,8 @@ struct PatternCase {
 };
 
 std::vector<PatternCase> pattern_cases();
+/// The contents of cases.df3, which stands beside the scene.
+std::string case_density();
 /// Points in -3..3 and a few further out; the same for every case.
 std::vector<Vec3> case_points();
 
