@@ -20,7 +20,7 @@ const std::vector<WaveSource>& sources_of(const Pattern& pattern) { return *std:
 
 }  // namespace
 
-double cycle(double v) { return std::sin(2.0 * pi * std::fmod(v, 1.0)); }
+double cycle(double v) { return std::sin(2.0 * pi * (v - std::trunc(v))); }
 
 double dents(NoiseGenerator generator, const Vec3& p) {
     const double n = noise(generator, p);

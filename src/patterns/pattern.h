@@ -48,7 +48,6 @@ enum class PatternKind : std::uint8_t {
     marble,
     object,
     onion,
-    pavement,
     pigment_pattern,
     planar,
     quilted,
@@ -60,7 +59,6 @@ enum class PatternKind : std::uint8_t {
     spiral2,
     spotted,
     square,
-    tiling,
     triangular,
     waves,
     wood,
@@ -156,21 +154,6 @@ struct SpiralNumbers {
     bool operator==(const SpiralNumbers&) const = default;
 };
 
-struct TilingNumbers {
-    int type = 1;  ///< 1 to 24
-    bool operator==(const TilingNumbers&) const = default;
-};
-
-struct PavementNumbers {
-    int sides = 4;  ///< 3, 4 or 6
-    int tiles = 1;
-    int pattern = 1;
-    int exterior = 0;
-    int interior = 0;
-    int form = 0;
-    bool operator==(const PavementNumbers&) const = default;
-};
-
 /// One centre of ripples and waves.
 struct WaveSource {
     Vec3 center;
@@ -202,9 +185,8 @@ struct DensityNumbers {
     bool operator==(const DensityNumbers&) const = default;
 };
 
-using PatternNumbers =
-    std::variant<std::monostate, AgateNumbers, BrickNumbers, CrackleNumbers, GradientNumbers, FractalNumbers, QuiltedNumbers, FacetsNumbers,
-                 SlopeNumbers, SpiralNumbers, TilingNumbers, PavementNumbers, WavesNumbers, DensityNumbers>;
+using PatternNumbers = std::variant<std::monostate, AgateNumbers, BrickNumbers, CrackleNumbers, GradientNumbers, FractalNumbers,
+                                    QuiltedNumbers, FacetsNumbers, SlopeNumbers, SpiralNumbers, WavesNumbers, DensityNumbers>;
 
 struct Pattern {
     PatternKind kind = PatternKind::bozo;

@@ -8,7 +8,7 @@ namespace {
 
 using K = PatternKind;
 
-constexpr NameTable<PatternKind, 44> kinds{{
+constexpr NameTable<PatternKind, 42> kinds{{
     {"agate", K::agate},
     {"aoi", K::aoi},
     {"average", K::average},
@@ -36,7 +36,6 @@ constexpr NameTable<PatternKind, 44> kinds{{
     {"marble", K::marble},
     {"object", K::object},
     {"onion", K::onion},
-    {"pavement", K::pavement},
     {"pigment_pattern", K::pigment_pattern},
     {"planar", K::planar},
     {"quilted", K::quilted},
@@ -48,7 +47,6 @@ constexpr NameTable<PatternKind, 44> kinds{{
     {"spiral2", K::spiral2},
     {"spotted", K::spotted},
     {"square", K::square},
-    {"tiling", K::tiling},
     {"triangular", K::triangular},
     {"waves", K::waves},
     {"wood", K::wood},
@@ -87,10 +85,6 @@ PatternNumbers default_numbers(PatternKind kind) {
         case K::spiral1:
         case K::spiral2:
             return SpiralNumbers{};
-        case K::tiling:
-            return TilingNumbers{};
-        case K::pavement:
-            return PavementNumbers{};
         case K::ripples:
         case K::waves:
             return WavesNumbers{wave_sources(10)};

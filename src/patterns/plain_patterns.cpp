@@ -33,12 +33,15 @@ double planar(const Vec3& p) { return falling(std::fabs(p.y)); }
 
 double gradient(const GradientNumbers& numbers, const Vec3& p) {
     const double along = dot(p, unit(numbers.direction));
-    return along > 1.0 ? std::fmod(along, 1.0) : along;
+    return along > 1.0 ? along - std::floor(along) : along;
 }
 
 double leopard(const Vec3& p) { return sqr((std::sin(p.x) + std::sin(p.y) + std::sin(p.z)) / 3.0); }
 
-double onion(const Vec3& p) { return std::fmod(length(p), 1.0); }
+double onion(const Vec3& p) {
+    const double r = length(p);
+    return r - std::floor(r);
+}
 
 double radial(const Vec3& p) {
     if (std::fabs(p.x) < 0.001 && std::fabs(p.z) < 0.001) return 0.25;
