@@ -82,6 +82,16 @@ TEST(Noise, StaysInItsRangeWhereverItIsAsked) {
         }
 }
 
+TEST(Noise, WhereNumbersHaveNoFractionEveryCellIsTheFirst) {
+    for (const double far : {5e15, -1e300, std::numeric_limits<double>::infinity()}) {
+        for (const NoiseGenerator g : generators) EXPECT_EQ(noise(g, {far, 0.3, 0.7}), noise(g, {0.0, 0.3, 0.7})) << far;
+        EXPECT_EQ(vector_noise({0.3, far, 0.7}), vector_noise({0.3, 0.0, 0.7})) << far;
+        EXPECT_EQ(cell_of(far), 0);
+    }
+    EXPECT_EQ(cell_of(-0.5), -1);
+    EXPECT_EQ(cell_of(4503599627370495.5), 4503599627370495);
+}
+
 TEST(Noise, WaveSources) {
     const auto sources = wave_sources(3);
     expect_near(sources[0].center, {-0.604378213, 0.492048408, -0.626590248}, 1e-9);
