@@ -17,6 +17,13 @@ const Numbers& numbers(const Pattern& pattern) {
     return std::get<Numbers>(pattern.numbers);
 }
 
+double image_value(const ImageNumbers& image, const Vec3& q) {
+    const ValueGrid& grid = *image.grid;
+    if (grid.values.empty()) return 0.0;
+    const std::optional<Vec2> place = image_place(image.mapping, grid.width, grid.height, q);
+    return place ? image_height(image, *place) : 0.0;
+}
+
 /// The kinds that are made of noise.
 double noise_value(const Pattern& pattern, const Vec3& q) {
     switch (pattern.kind) {
@@ -51,6 +58,16 @@ double noise_value(const Pattern& pattern, const Vec3& q) {
 
 }  // namespace
 
+double image_height(const ImageNumbers& image, const Vec2& place) {
+    const ValueGrid& grid = *image.grid;
+    double sum = 0.0;
+    for (const auto& tap : image_taps(image.mapping, grid.width, grid.height, place))
+        sum += tap.weight *
+               static_cast<double>(
+                   grid.values[static_cast<std::size_t>(tap.y) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(tap.x)]);
+    return std::fmax(0.0, sum);  // cubics undershoot
+}
+
 void append(Pattern& pattern, const Transform& transform) {
     auto* last = pattern.warps.empty() ? nullptr : std::get_if<Transform>(&pattern.warps.back());
     if (last != nullptr)
@@ -79,6 +96,8 @@ double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& su
             return density(numbers<DensityNumbers>(pattern), q);
         case K::gradient:
             return gradient(numbers<GradientNumbers>(pattern), q);
+        case K::image_pattern:
+            return image_value(numbers<ImageNumbers>(pattern), q);
         case K::julia:
             return julia(numbers<FractalNumbers>(pattern), q);
         case K::leopard:

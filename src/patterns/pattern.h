@@ -14,6 +14,7 @@
 
 #include "core/shared.h"
 #include "core/vec.h"
+#include "patterns/image.h"
 #include "patterns/noise.h"
 #include "patterns/warp.h"
 
@@ -27,6 +28,7 @@ enum class PatternKind : std::uint8_t {
     boxed,
     bozo,
     brick,
+    bump_map,  ///< of normals alone
     bumps,
     cells,
     checker,
@@ -73,8 +75,7 @@ std::string_view name(PatternKind kind);
 /// values are looked up in a map.
 int cell_count(PatternKind kind);
 inline bool has_cells(PatternKind kind) { return cell_count(kind) > 0; }
-/// Patterns whose value somebody else computes at `pattern_point`: function, image_pattern, pigment_pattern, object (a cell), average
-/// (none).
+/// Patterns whose value somebody else computes at `pattern_point`: function, pigment_pattern, object (a cell), average (none).
 bool is_computed_elsewhere(PatternKind kind);
 /// The value also depends on the surface: slope and aoi.
 inline bool needs_surface(PatternKind kind) { return kind == PatternKind::slope || kind == PatternKind::aoi; }
@@ -185,8 +186,15 @@ struct DensityNumbers {
     bool operator==(const DensityNumbers&) const = default;
 };
 
+/// image_pattern and bump_map: the picture's file values as grey (or its alpha), the top row first, depth 1.
+struct ImageNumbers {
+    Shared<ValueGrid> grid;
+    ImageMapping mapping;
+    bool operator==(const ImageNumbers&) const = default;
+};
+
 using PatternNumbers = std::variant<std::monostate, AgateNumbers, BrickNumbers, CrackleNumbers, GradientNumbers, FractalNumbers,
-                                    QuiltedNumbers, FacetsNumbers, SlopeNumbers, SpiralNumbers, WavesNumbers, DensityNumbers>;
+                                    QuiltedNumbers, FacetsNumbers, SlopeNumbers, SpiralNumbers, WavesNumbers, DensityNumbers, ImageNumbers>;
 
 struct Pattern {
     PatternKind kind = PatternKind::bozo;
@@ -221,6 +229,9 @@ double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& su
 double wave_value(const Pattern& pattern, double raw);
 /// All three: what a map is asked with.
 double pattern_value(const Pattern& pattern, const Vec3& p, const PatternSurface& surface = {});
+
+/// The value of a picture, which is not empty, at a place on it.
+double image_height(const ImageNumbers& image, const Vec2& place);
 
 /// The index of the colour at a pattern point, 0 to cell_count - 1; 0 for `object`, which is computed elsewhere. Frequency, phase and wave
 /// do not act on cells.

@@ -8,13 +8,14 @@ namespace {
 
 using K = PatternKind;
 
-constexpr NameTable<PatternKind, 42> kinds{{
+constexpr NameTable<PatternKind, 43> kinds{{
     {"agate", K::agate},
     {"aoi", K::aoi},
     {"average", K::average},
     {"boxed", K::boxed},
     {"bozo", K::bozo},
     {"brick", K::brick},
+    {"bump_map", K::bump_map},
     {"bumps", K::bumps},
     {"cells", K::cells},
     {"checker", K::checker},
@@ -90,6 +91,9 @@ PatternNumbers default_numbers(PatternKind kind) {
             return WavesNumbers{wave_sources(10)};
         case K::density_file:
             return DensityNumbers{};
+        case K::bump_map:
+        case K::image_pattern:
+            return ImageNumbers{};
         default:
             return {};
     }
@@ -120,7 +124,7 @@ int cell_count(PatternKind kind) {
 }
 
 bool is_computed_elsewhere(PatternKind kind) {
-    return kind == K::average || kind == K::function || kind == K::image_pattern || kind == K::object || kind == K::pigment_pattern;
+    return kind == K::average || kind == K::function || kind == K::object || kind == K::pigment_pattern;
 }
 
 Pattern make_pattern(PatternKind kind) {

@@ -52,10 +52,29 @@ Vec3 quilted_tilt(const QuiltedNumbers& numbers, const Vec3& q) {
     return quilt_profile(numbers, length(u)) * 1.154700538 * u;
 }
 
+/// The picture as a landscape over the plane whose normal is `n0`; its slope is taken over one texel.
+Vec3 bumped(const ImageNumbers& image, double amount, const Vec3& n0, const Vec3& q) {
+    const ValueGrid& grid = *image.grid;
+    if (grid.values.empty()) return n0;
+    const std::optional<Vec2> place = image_place(image.mapping, grid.width, grid.height, q);
+    if (!place) return n0;
+    const double h1 = image_height(image, *place);
+    const double h2 = image_height(image, *place + Vec2(-1.0, 1.0)), h3 = image_height(image, *place + Vec2(1.0, 1.0));
+    const Vec3 b = unit(cross(Vec3(2.0, amount * (h3 - h2), 0.0), Vec3(1.0, amount * (h1 - h2), -1.0)));
+    Vec3 up = n0, x = cross(n0, Vec3(0.0, 1.0, 0.0));
+    if (length(x) < 1e-10) {
+        x = Vec3(1.0, 0.0, 0.0);
+        up = Vec3(0.0, n0.y < 0.0 ? -1.0 : 1.0, 0.0);
+    }
+    x = unit(x);
+    return b.x * x + b.y * up - b.z * unit(cross(x, up));
+}
+
 }  // namespace
 
 bool has_own_normal(PatternKind kind) {
     switch (kind) {
+        case K::bump_map:
         case K::bumps:
         case K::dents:
         case K::facets:
@@ -95,6 +114,8 @@ Vec3 perturbed_by(const Bump& bump, const Vec3& n0, const std::array<double, 4>&
 Vec3 perturbed(const Pattern& pattern, const Bump& bump, const Vec3& n0, const Vec3& q, const PatternSurface& surface) {
     const double amount = bump.amount;
     switch (pattern.kind) {
+        case K::bump_map:
+            return bumped(std::get<ImageNumbers>(pattern.numbers), amount, n0, q);
         case K::bumps:
             return n0 + amount * vector_noise(q);
         case K::dents:

@@ -30,8 +30,8 @@ struct Bump {
     bool operator==(const Bump&) const = default;
 };
 
-/// Patterns that turn a normal by a rule of their own, not by their slope: bumps dents facets quilted ripples waves wrinkles. A slope_map
-/// does nothing to them.
+/// Patterns that turn a normal by a rule of their own, not by their slope: bump_map bumps dents facets quilted ripples waves wrinkles. A
+/// slope_map does nothing to them.
 bool has_own_normal(PatternKind kind);
 
 /// The height that a slope map gives to a value.

@@ -203,7 +203,41 @@ void add_densities(std::vector<PatternCase>& cases) {
     }
 }
 
+/// A picture of 4 x 3 texels, which the tests also write to cases.pgm.
+void add_images(std::vector<PatternCase>& cases) {
+    for (const int type : {0, 1, 2, 5})
+        for (const int interpolate : {0, 2, 3, 4})
+            for (const bool once : {false, true}) {
+                const std::string options = fmt::format(
+                    "map_type {}{}{}", type, interpolate ? fmt::format(" interpolate {}", interpolate) : "", once ? " once" : "");
+                cases.push_back(with("image_pattern { pgm \"cases.pgm\" gamma 1.0 " + options + " }", K::image_pattern,
+                                     ImageNumbers{Shared<ValueGrid>(case_picture()), {type, interpolate, once}}));
+            }
+    ImageMapping laid;
+    laid.offset = {.3, -.2};
+    laid.repeat = {2, 1};
+    cases.push_back(with("image_pattern { pgm \"cases.pgm\" gamma 1.0 offset <.3,-.2> repeat <2,1> }", K::image_pattern,
+                         ImageNumbers{Shared<ValueGrid>(case_picture()), laid}));
+}
+
 }  // namespace
+
+ValueGrid case_picture() {
+    ValueGrid grid{4, 3, 1, {}};
+    TableRandom draw{4};
+    for (int i = 0; i < 12; ++i) grid.values.push_back(static_cast<float>(draw() / 65535.0));
+    return grid;
+}
+
+std::string case_picture_file() {
+    std::string bytes = "P5\n4 3\n65535\n";
+    TableRandom draw{4};
+    for (int i = 0; i < 12; ++i) {
+        const int value = draw();
+        bytes += {static_cast<char>(value / 256), static_cast<char>(value % 256)};
+    }
+    return bytes;
+}
 
 std::string case_density() {
     std::string bytes{"\0\3\0\4\0\5", 6};
@@ -220,6 +254,7 @@ std::vector<PatternCase> pattern_cases() {
     add_warps(cases);
     add_fractals(cases);
     add_densities(cases);
+    add_images(cases);
     return cases;
 }
 

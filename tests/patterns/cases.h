@@ -16,6 +16,9 @@ struct PatternCase {
 std::vector<PatternCase> pattern_cases();
 /// The contents of cases.df3, which stands beside the scene.
 std::string case_density();
+/// The picture of the cases of pictures, and the contents of cases.pgm, which is the same.
+ValueGrid case_picture();
+std::string case_picture_file();
 /// Points in -3..3 and a few further out; the same for every case.
 std::vector<Vec3> case_points();
 

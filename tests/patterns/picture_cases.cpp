@@ -2,6 +2,7 @@
 
 #include "patterns/map.h"
 #include "patterns/perturb.h"
+#include "tests/patterns/cases.h"
 
 namespace rt {
 
@@ -65,6 +66,19 @@ void add_own_normals(std::vector<PictureCase>& cases) {
     }));
     cases.push_back(normal_case("facets .5 coords .6", K::facets, .5F, [](Pattern& p, Bump&) { p.numbers = FacetsNumbers{.1F, .6F, 2}; }));
     cases.push_back(normal_case("bumps -.7 turbulence .5", K::bumps, -.7F, [](Pattern& p, Bump&) { p.turbulence = Turbulence{Vec3(.5)}; }));
+}
+
+void add_bump_maps(std::vector<PictureCase>& cases) {
+    for (const int interpolate : {0, 2, 3})
+        for (const int type : {0, 1}) {
+            const std::string options =
+                (interpolate ? " interpolate " + std::to_string(interpolate) : "") + " map_type " + std::to_string(type);
+            const std::string text = "bump_map { pgm \"cases.pgm\" gamma 1.0" + options + " bump_size 1.5 } scale 3";
+            cases.push_back(normal_case(text, K::bump_map, 1.5F, [&](Pattern& p, Bump&) {
+                p.numbers = ImageNumbers{Shared<ValueGrid>(case_picture()), {type, interpolate}};
+                append(p, Transform::scale(Vec3(3.0)));
+            }));
+        }
 }
 
 void add_differences(std::vector<PictureCase>& cases) {
@@ -148,6 +162,7 @@ const Vec3 light_directions[3] = {unit(Vec3(std::sqrt(2.0), 1.0, 0.0)), unit(Vec
 std::vector<PictureCase> picture_cases() {
     std::vector<PictureCase> cases;
     add_own_normals(cases);
+    add_bump_maps(cases);
     add_differences(cases);
     add_chains(cases);
     add_values(cases);

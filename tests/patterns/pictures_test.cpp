@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 
+#include "tests/patterns/cases.h"
 #include "tests/patterns/picture_cases.h"
 
 namespace rt {
@@ -104,6 +105,7 @@ TEST(PatternPictures, AreThoseOfTheInstalledPovRay) {
     std::filesystem::create_directories(folder);
     const int caps = static_cast<int>(picture_cases().size());
     write_scene(folder / "caps.pov", caps);
+    std::ofstream(folder / "cases.pgm", std::ios::binary) << case_picture_file();
     const std::string command = fmt::format("cd '{}' && povray +Icaps.pov +Ocaps.ppm +W{} +H{} +FP16 -A -D File_Gamma=1.0 > log 2>&1",
                                             folder.string(), pitch * caps, pitch);
     ASSERT_EQ(std::system(command.c_str()), 0) << folder;

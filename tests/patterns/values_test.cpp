@@ -42,8 +42,9 @@ void compare(const Values& expected) {
         const auto found = expected.find(text);
         ASSERT_NE(found, expected.end()) << text;
         ASSERT_EQ(found->second.size(), points.size()) << text;
-        // POV-Ray interpolates a density in single precision.
-        const double tolerance = pattern.kind == PatternKind::density_file ? 1e-6 : 1e-9;
+        // POV-Ray interpolates grids in single precision.
+        const bool is_grid = pattern.kind == PatternKind::density_file || pattern.kind == PatternKind::image_pattern;
+        const double tolerance = is_grid ? 1e-6 : 1e-9;
         std::vector<std::size_t> wrong;
         for (std::size_t i = 0; i < points.size(); ++i)
             if (!(std::fabs(ours(pattern, points[i]) - found->second[i]) <= tolerance)) wrong.push_back(i);
@@ -84,6 +85,7 @@ TEST(PatternValues, AreThoseOfTheInstalledPovRay) {
     std::filesystem::create_directories(folder);
     write_scene(folder / "values.pov");
     std::ofstream(folder / "cases.df3", std::ios::binary) << case_density();
+    std::ofstream(folder / "cases.pgm", std::ios::binary) << case_picture_file();
     const std::string command = fmt::format("cd '{}' && povray +Ivalues.pov +W1 +H1 -F -D > log 2>&1", folder.string());
     EXPECT_EQ(std::system(command.c_str()), 0) << folder;
     std::ifstream in(folder / "values.out");
