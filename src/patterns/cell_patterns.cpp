@@ -22,12 +22,11 @@ int brick(const BrickNumbers& numbers, const Vec3& p) {
     const Vec3 q = p + numbers.mortar + face_offset;
     const Vec3 mortar = numbers.mortar / numbers.size;
     const Vec3 course = q / numbers.size;
-    if (fraction(course.y) <= mortar.y) return 0;
     // Every other course is moved by half a brick: across in x, along in z.
     const bool upper = fraction(course.y / 2.0) > 0.5;
     const double x = fraction(upper ? course.x + 0.5 : course.x);
     const double z = fraction(upper ? course.z : course.z + 0.5);
-    return x <= mortar.x || z <= mortar.z ? 0 : 1;
+    return fraction(course.y) > mortar.y && x > mortar.x && z > mortar.z ? 1 : 0;  // mortar where a size of 0 leaves no number
 }
 
 int hexagon(const Vec3& p) {

@@ -151,7 +151,7 @@ struct SlopeNumbers {
 
 /// spiral1 and spiral2.
 struct SpiralNumbers {
-    double arms = 1.0;
+    int arms = 1;
     bool operator==(const SpiralNumbers&) const = default;
 };
 
@@ -182,7 +182,7 @@ struct ValueGrid {
 
 struct DensityNumbers {
     Shared<ValueGrid> grid;
-    int interpolate = 1;  ///< 0 none, 1 trilinear, 2 tricubic
+    int interpolate = 0;  ///< 0 none, 1 trilinear, 2 tricubic
     bool operator==(const DensityNumbers&) const = default;
 };
 

@@ -42,6 +42,7 @@ Vec3 waved(const Pattern& pattern, const Vec3& q, bool by_frequency) {
 }
 
 Vec3 faceted(const FacetsNumbers& numbers, const Vec3& n0, const Vec3& q) {
+    if (numbers.size == 0.0F) return n0;
     if (numbers.coords == 0.0) return nearest_features(n0 / static_cast<double>(numbers.size), numbers.metric).nearest;
     const Vec3 e = vector_noise(nearest_features(q / static_cast<double>(numbers.size), numbers.metric).nearest);
     return n0 + static_cast<double>(numbers.coords) * (e - dot(e, n0) * n0);

@@ -58,8 +58,8 @@ void add_plain(std::vector<PatternCase>& cases) {
     cases.push_back(with("gradient <1,2,-3>", K::gradient, GradientNumbers{{1, 2, -3}}));
     cases.push_back(with("brick brick_size <1,.7,1.3> mortar .2", K::brick, BrickNumbers{{1, .7, 1.3}, .2}));
     for (const int arms : {1, 3, -4}) {
-        cases.push_back(with("spiral1 " + std::to_string(arms), K::spiral1, SpiralNumbers{static_cast<double>(arms)}));
-        cases.push_back(with("spiral2 " + std::to_string(arms), K::spiral2, SpiralNumbers{static_cast<double>(arms)}));
+        cases.push_back(with("spiral1 " + std::to_string(arms), K::spiral1, SpiralNumbers{arms}));
+        cases.push_back(with("spiral2 " + std::to_string(arms), K::spiral2, SpiralNumbers{arms}));
     }
     cases.push_back(with("quilted control0 .3 control1 -.7", K::quilted, QuiltedNumbers{.3F, -.7F}));
     cases.push_back(with("crackle form <1,0,0>", K::crackle, CrackleNumbers{2, 0, {1, 0, 0}, false}));

@@ -33,6 +33,13 @@ TEST(Pattern, TriangleWavesOfItsOwn) {
     }
 }
 
+TEST(Pattern, NumbersOfItsOwn) {
+    EXPECT_EQ(std::get<BrickNumbers>(make_pattern(PatternKind::brick).numbers), (BrickNumbers{{8, 3, 4.5}, .5}));
+    EXPECT_EQ(std::get<DensityNumbers>(make_pattern(PatternKind::density_file).numbers).interpolate, 0);
+    EXPECT_EQ(std::get<FacetsNumbers>(make_pattern(PatternKind::facets).numbers), (FacetsNumbers{.1F, 0, 2}));
+    EXPECT_EQ(std::get<WavesNumbers>(make_pattern(PatternKind::waves).numbers).sources->size(), 10U);
+}
+
 TEST(Pattern, ThreeStepsMakeTheValue) {
     for (const auto& [text, pattern] : pattern_cases())
         for (const Vec3& p : case_points()) {
@@ -76,6 +83,46 @@ TEST(Pattern, AnyPointMayBeAsked) {
                 const bool near = std::fabs(x) < 1e10 && std::fabs(z) < 1e10;
                 EXPECT_TRUE(!near || std::isfinite(pattern_value(pattern, p))) << text << " " << x << " " << z;
             }
+}
+
+/// What POV-Ray's parser lets through.
+TEST(Pattern, NumbersThatMakeNoSenseDoNoHarm) {
+    std::vector<Pattern> odd;
+    for (const double metric : {0.0, -1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        odd.push_back(make_pattern(PatternKind::crackle));
+        odd.back().numbers = CrackleNumbers{metric, -1.0, {-1, 1, 0}, false};
+    }
+    for (const double size : {0.0, -1.0, 1e-300}) {
+        odd.push_back(make_pattern(PatternKind::brick));
+        odd.back().numbers = BrickNumbers{{size, 1, size}, size};
+    }
+    odd.push_back(make_pattern(PatternKind::gradient));
+    odd.back().numbers = GradientNumbers{Vec3(0.0)};
+    odd.push_back(make_pattern(PatternKind::mandel));
+    odd.back().numbers = FractalNumbers{1, false, Vec2(0.0), -3};
+    odd.push_back(make_pattern(PatternKind::bozo));
+    odd.back().warps = {BlackHoleWarp{Vec3(0.0), 0.0}, BlackHoleWarp{Vec3(0.0), -1.0}, MappingWarp{},
+                        Turbulence{Vec3(1.0), -5, 0.0F, 0.0F}};
+    for (const Pattern& pattern : odd)
+        for (const Vec3& p : case_points()) {
+            const double v = pattern_value(pattern, p);
+            EXPECT_FALSE(v < 0.0) << name(pattern.kind);
+            EXPECT_LT(pattern_cell(pattern, p), std::max(1, cell_count(pattern.kind)));
+        }
+}
+
+TEST(Pattern, BricksOfNoSizeAreMortar) {
+    for (const Vec3& p : case_points()) {
+        Pattern pattern = make_pattern(PatternKind::brick);
+        pattern.numbers = BrickNumbers{{0, 1, 1}, .5};
+        EXPECT_EQ(pattern_cell(pattern, p), 0);
+    }
+}
+
+TEST(Normal, FacetsOfNoSizeAreNone) {
+    Pattern facets = make_pattern(PatternKind::facets);
+    std::get<FacetsNumbers>(facets.numbers).size = 0.0F;
+    EXPECT_EQ(perturbed(facets, Bump{}, {0, 1, 0}, {.3, .4, .5}), Vec3(0, 1, 0));
 }
 
 TEST(Pattern, EqualValuesAreEqualPatterns) {
