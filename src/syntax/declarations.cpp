@@ -1,4 +1,4 @@
-// #declare, #local, #undef and #macro.
+// #declare, #local and #undef.
 #include <fmt/format.h>
 
 #include "syntax/blocks.h"
@@ -20,44 +20,85 @@ Number rounded_color(Number color) {
     return color;
 }
 
+Value copy_of(const Value& value) {
+    Value copy = value;
+    own_elements(copy);
+    return copy;
+}
+
 Number from_pigment_color(const PigmentColor& c) { return {{c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit}, 5, true}; }
 
 }  // namespace
 
+/// A name that is known is set where it is known; a new one belongs to the whole scene. A local one belongs to the file or macro that the
+/// directive stands in.
 void Reader::State::declare(bool local) {
     const std::optional<Deprecation> deprecation = parse_deprecation();
     const Token name = take_name();
     if (name.kind != Token::Kind::identifier)
         reader.fail(name.span, fmt::format("Expected 'undeclared identifier', {} found instead", reader.describe(name)));
+    const std::size_t scope = names.depth();
+    VariablePtr known = names.find(name.text);
+    if (known && local && known != names.find_in(scope, name.text)) {
+        const bool element = std::holds_alternative<ArrayValue>(known->value) && raw_next_is('[');
+        known = element ? make_variable(copy_of(known->value)) : nullptr;
+        if (element) names.bind(scope, name.text, known);
+    }
+    if (known) require_redeclarable(name, known->value);
+    if (known && std::holds_alternative<ArrayValue>(known->value) && raw_next_is('[')) return declare_element(name, known);
     reader.expect('=');
-    // A local name belongs to the file that the directive stands in; the main file's are visible everywhere.
-    const std::size_t frame = frames.size() - 1;
-    Value value = parse_declared_value();
-    end_of_declaration(value);
-    ByName<Value>& table = local && frame > 0 && frame < frames.size() ? frames[frame].locals : globals;
-    table.insert_or_assign(std::string(name.text), std::move(value));
+    const VariablePtr declared = std::make_shared<Variable>();
+    parse_declaration(*declared);
+    if (!known && !local) known = names.find_from(scope, name.text);  // while the value was read
+    if (known)
+        *known = std::move(*declared);
+    else if (!local || scope <= names.depth())
+        names.bind(local ? scope : 0, name.text, declared);
     if (!deprecation) return;
     Deprecation& kept = deprecated[std::string(name.text)] = *deprecation;
     if (kept.message.empty()) kept.message = fmt::format("Identifier '{}' was declared deprecated.", name.text);
     any_deprecated = true;
 }
 
+void Reader::State::require_redeclarable(const Token& name, const Value& before) {
+    if (std::holds_alternative<MacroValue>(before))
+        reader.fail(name.span, "Expected 'undeclared identifier', macro identifier found instead");
+    const auto* const unmodelled = std::get_if<UnmodelledValue>(&before);
+    if (unmodelled && unmodelled->word == Word::function)
+        reader.fail(name.span, "Redeclaring functions is not allowed - #undef the function first!");
+}
+
+void Reader::State::parse_declaration(Variable& into) {
+    const std::size_t frame_count = frames.size();
+    {
+        const Restore<Waiting> wait(waiting, {true, conditionals.size(), depth});
+        into.value = parse_declared_value(into.missing);
+        end_of_declaration(into.value, frame_count);
+    }
+    if (!has_ahead || !ahead.is('#')) return;
+    has_ahead = false;  // the directive that ended the value is carried out now
+    frames.back().lexer.seek(ahead.span.begin);
+}
+
 std::optional<Reader::State::Deprecation> Reader::State::parse_deprecation() {
     names_only = true;
     if (!reader.accept(Word::deprecated)) return std::nullopt;
     Deprecation deprecation;
+    names_only = true;
     deprecation.once = reader.accept(Word::once);
+    names_only = true;
     if (reader.peek().kind == Token::Kind::string) deprecation.message = reader.parse_string();
     return deprecation;
 }
 
-Value Reader::State::parse_declared_value() {
+Value Reader::State::parse_declared_value(std::vector<Unmodelled>& lacking) {
+    const Restore<std::vector<Unmodelled>*> gather(missing, &lacking);
     const Token first = reader.peek();
-    if (first.kind == Token::Kind::identifier && !reader.find(first.text))
-        reader.fail(first.span, "Cannot assign uninitialized identifier.");
+    if (first.kind == Token::Kind::identifier && !reader.next_value()) reader.fail(first.span, "Cannot assign uninitialized identifier.");
     if (at_string(reader)) return reader.parse_string();
     if (const auto number = parse_declared_number()) return *number;
-    if (skip_unmodelled_value()) return std::string();
+    if (reader.accept(Word::array)) return parse_array();
+    if (auto value = skip_unmodelled_value()) return std::move(*value);
     if (auto value = parse_declared_block(reader)) return std::move(*value);
     reader.fail(first.span, fmt::format("Expected 'RValue to declare', {} found instead", reader.describe(first)));
 }
@@ -71,26 +112,18 @@ std::optional<Number> Reader::State::parse_declared_number() {
 }
 
 /// Values that exist in the language but not here yet: reported, then skipped.
-bool Reader::State::skip_unmodelled_value() {
+std::optional<Value> Reader::State::skip_unmodelled_value() {
     const Token token = reader.peek();
-    if (token.kind != Token::Kind::word) return false;
-    switch (token.word) {
-        case Word::array:
-        case Word::function:
-        case Word::spline:
-            break;
-        default:
-            return false;
-    }
+    if (!token.is(Word::function) && !token.is(Word::spline)) return std::nullopt;
     reader.unmodelled(token.span, text(token.word));
     while (!reader.peek().is('{') && !reader.peek().is(';') && reader.peek().kind != Token::Kind::end && !reader.peek().is('}'))
         reader.take();
     if (reader.peek().is('{')) reader.skip_block();
-    return true;
+    return UnmodelledValue{token.word};
 }
 
-void Reader::State::end_of_declaration(const Value& value) {
-    if (!std::holds_alternative<Number>(value)) return accept_semicolon();
+void Reader::State::end_of_declaration(const Value& value, std::size_t frame_count) {
+    if (!std::holds_alternative<Number>(value)) return accept_semicolon(frame_count);
     if (reader.accept(';')) return;
     const Span place = reader.peek().span;
     if (version >= 3.5) reader.fail(place, semicolon_required);
@@ -98,53 +131,28 @@ void Reader::State::end_of_declaration(const Value& value) {
         reader.warn_possible(place, "All #version and #declares of float, vector, and color require semi-colon ';' at end.");
 }
 
-/// Takes a ';' that comes next without carrying out a directive that comes next: a thousand declarations in a row are no nesting.
-void Reader::State::accept_semicolon() {
+/// Takes a ';' that comes next without carrying out a directive that comes next: a thousand declarations in a row are no nesting. Macros
+/// that ended with the value are left: the ';' stands behind their calls.
+void Reader::State::accept_semicolon(std::size_t frame_count) {
     if (has_ahead) {
         reader.accept(';');
         return;
     }
-    Lexer& lexer = frames.back().lexer;
-    const std::uint32_t position = lexer.position();
-    Token token;
-    lexer.next(token);
-    if (!token.is(';')) lexer.seek(position);
+    leave_ended_frames(frame_count);
+    if (raw_next_is(';')) reader.accept(';');
 }
 
 void Reader::State::undefine(const Span& place) {
     const Token name = take_name();
     if (name.kind != Token::Kind::identifier)
         reader.fail(name.span, fmt::format("Expected 'undeclared identifier', {} found instead", reader.describe(name)));
-    for (ByName<Value>* table : {&frames.back().locals, &globals}) {
-        const auto found = table->find(name.text);
-        if (found == table->end()) continue;
-        table->erase(found);
+    const VariablePtr variable = names.find(name.text);
+    if (variable && std::holds_alternative<ArrayValue>(variable->value) && raw_next_is('[')) {
+        VariablePtr array = variable;
+        std::get<ArrayValue>(array->value).elements[parse_index(*array)] = nullptr;
         return;
     }
-    reader.warn(place, "Attempt to undef unknown identifier");
-}
-
-void Reader::State::declare_macro(const Span& place) {
-    const Token name = take_name();
-    if (name.kind != Token::Kind::identifier)
-        reader.fail(name.span, fmt::format("Expected 'undeclared identifier', {} found instead", reader.describe(name)));
-    reader.expect('(');
-    MacroValue macro;
-    for (;;) {
-        const Token parameter = take_name();
-        if (parameter.is(')')) break;
-        if (parameter.kind != Token::Kind::identifier)
-            reader.fail(parameter.span, fmt::format("Expected 'identifier or expression.', {} found instead", reader.describe(parameter)));
-        macro.parameters.emplace_back(parameter.text);
-        names_only = true;
-        reader.accept_comma();
-    }
-    Span hash;
-    const std::uint32_t begin = frames.back().lexer.position();
-    if (skip_until(place, true, hash) != Word::end) reader.fail(hash, "Mis-matched '#else'.");
-    macro.body = {hash.file, begin, hash.begin};
-    globals.insert_or_assign(std::string(name.text), std::move(macro));
-    any_macro = true;
+    if (!names.unbind(name.text)) reader.warn(place, "Attempt to undef unknown identifier");
 }
 
 }  // namespace rt

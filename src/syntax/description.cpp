@@ -1,6 +1,8 @@
 // How messages name a token.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "syntax/reader_state.h"
 #include "syntax/word_groups.h"
 
@@ -8,34 +10,36 @@ namespace rt {
 
 namespace {
 
-struct ValueName {
-    std::string operator()(const Number& n) const {
+struct KindName {
+    std::string_view operator()(const Number& n) const {
         if (n.color) return "color identifier";
-        switch (n.size) {
-            case 1:
-                return "float function 'float identifier'";
-            case 2:
-                return "uv vector identifier";
-            case 3:
-                return "vector function 'vector identifier'";
-            case 4:
-                return "4d-vector identifier";
-            default:
-                return "color identifier";
-        }
+        constexpr std::array names{"float identifier", "uv vector identifier", "vector identifier", "4d-vector identifier",
+                                   "color identifier"};
+        return names[static_cast<std::size_t>(n.size - 1)];
     }
-    std::string operator()(const std::string&) const { return "string identifier"; }
-    std::string operator()(const Pigment&) const { return "pigment identifier"; }
-    std::string operator()(const Finish&) const { return "finish identifier"; }
-    std::string operator()(const TextureLayers&) const { return "texture identifier"; }
-    std::string operator()(const Shared<Interior>&) const { return "interior identifier"; }
-    std::string operator()(const MaterialValue&) const { return "material identifier"; }
-    std::string operator()(const ObjectValue&) const { return "object identifier"; }
-    std::string operator()(const Camera&) const { return "camera identifier"; }
-    std::string operator()(const Light&) const { return "object identifier"; }
-    std::string operator()(const Transform&) const { return "transform identifier"; }
-    std::string operator()(const MacroValue&) const { return "macro identifier"; }
+    std::string_view operator()(const std::string&) const { return "string identifier"; }
+    std::string_view operator()(const Pigment&) const { return "pigment identifier"; }
+    std::string_view operator()(const Finish&) const { return "finish identifier"; }
+    std::string_view operator()(const TextureLayers&) const { return "texture identifier"; }
+    std::string_view operator()(const Shared<Interior>&) const { return "interior identifier"; }
+    std::string_view operator()(const MaterialValue&) const { return "material identifier"; }
+    std::string_view operator()(const ObjectValue&) const { return "object identifier"; }
+    std::string_view operator()(const Camera&) const { return "camera identifier"; }
+    std::string_view operator()(const Light&) const { return "object identifier"; }
+    std::string_view operator()(const Transform&) const { return "transform identifier"; }
+    std::string_view operator()(const MacroValue&) const { return "macro identifier"; }
+    std::string_view operator()(const ArrayValue&) const { return "array identifier"; }
+    std::string_view operator()(const FileValue&) const { return "file identifier"; }
+    std::string_view operator()(const UnmodelledValue& u) const { return text(u.word); }
 };
+
+/// Floats and vectors that have names count as functions.
+std::string value_name(const Value& value) {
+    const auto* const number = std::get_if<Number>(&value);
+    if (number && !number->color && number->size == 1) return "float function 'float identifier'";
+    if (number && !number->color && number->size == 3) return "vector function 'vector identifier'";
+    return std::string(kind_of(value));
+}
 
 std::string symbol_name(char symbol) {
     switch (symbol) {
@@ -67,6 +71,8 @@ std::string word_name(Word w) {
 
 }  // namespace
 
+std::string_view kind_of(const Value& value) { return std::visit(KindName{}, value); }
+
 std::string Reader::describe(const Token& token) {
     switch (token.kind) {
         case Token::Kind::end:
@@ -85,7 +91,7 @@ std::string Reader::describe(const Token& token) {
             break;
     }
     const Value* const value = find(token.text);
-    return value ? std::visit(ValueName{}, *value) : fmt::format("undeclared identifier '{}'", token.text);
+    return value ? value_name(*value) : fmt::format("undeclared identifier '{}'", token.text);
 }
 
 }  // namespace rt

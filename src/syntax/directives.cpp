@@ -15,7 +15,7 @@ constexpr double version_tolerance = 1e-6;
 }  // namespace
 
 void Reader::State::directive(const Span& hash) {
-    const NestingGuard guard(*this, hash);
+    const DirectiveGuard guard(*this, hash);
     Token name;
     next_raw(name);
     if (name.kind == Token::Kind::end) return;  // a lone '#' at the very end is nothing
@@ -52,19 +52,24 @@ void Reader::State::directive(const Span& hash) {
         case Word::statistics:
             return message_directive(name.word, place);
         case Word::while_:
+            return begin_while(place);
         case Word::for_:
+            return begin_for(place);
         case Word::switch_:
-            return skip_loop(name.word, place);
-        case Word::fopen:
-        case Word::fclose:
-        case Word::read:
-        case Word::write:
-            return skip_file_directive(name.word, place);
+            return begin_switch(place);
         case Word::break_:
-            reader.fail(place, "Invalid context for #break");
+            return leave_loop(place);
         case Word::case_:
         case Word::range:
-            reader.fail(place, "Mis-matched '#case' or '#range'.");
+            return pass_case(name.word, place);
+        case Word::fopen:
+            return open_file(place);
+        case Word::fclose:
+            return close_file();
+        case Word::read:
+            return read_file(place);
+        case Word::write:
+            return write_file(place);
         default:
             reader.fail(name.span, fmt::format("Expected 'object or directive', {} found instead", reader.describe(name)));
     }
@@ -99,28 +104,6 @@ void Reader::State::set_version(const Span& place) {
     scene.language_version = stated;
     if (!reader.accept(';'))
         reader.warn_possible(reader.peek().span, "All #version and #declares of float, vector, and color require semi-colon ';' at end.");
-}
-
-void Reader::State::skip_loop(Word w, const Span& place) {
-    reader.unmodelled(place, fmt::format("#{}", text(w)));
-    Span hash;
-    skip_until(place, false, hash);
-}
-
-void Reader::State::skip_file_directive(Word w, const Span& place) {
-    reader.unmodelled(place, fmt::format("#{}", text(w)));
-    take_name();
-    if (last_word == Word::none && w == Word::fopen) {
-        reader.parse_string();
-        reader.take();
-    } else if (w == Word::read || w == Word::write) {
-        for (std::size_t depth = 1; depth != 0;) {
-            const Token token = take_name();
-            if (token.is('(')) ++depth;
-            if (token.is(')')) --depth;
-            if (token.kind == Token::Kind::end) reader.fail(place, "Expected ')', End of File found instead");
-        }
-    }
 }
 
 }  // namespace rt

@@ -10,6 +10,8 @@ bool is_true(double x);
 
 /// Does a string expression come next?
 bool at_string(Reader& reader);
+/// The characters of a string literal with its escapes resolved.
+std::string unescaped(Reader& reader, const Token& token);
 
 /// One method a level of the grammar:
 ///     condition = junction [ '?' condition ':' condition ]        only inside parentheses, in #if and in colours
@@ -61,7 +63,10 @@ private:
     double random_number(const Span& place);
     double new_random_stream();
     bool is_defined();
+    double array_function(Word w);
     Number unmodelled_function(Word w, const Span& place);
+    Number unmodelled_call();
+    void skip_arguments();
     double next_float();
     Vec3 next_vector();
 

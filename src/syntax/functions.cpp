@@ -62,6 +62,8 @@ Number Expression::word(Word w) {
         result = number(*fv);
     else if (const auto v = vector_function(w, place))
         result = vector(*v);
+    else if (w == Word::dimensions || w == Word::dimension_size)
+        result = number(array_function(w));
     else
         return unmodelled_function(w, place);
     reader_.expect(')');
@@ -274,7 +276,7 @@ double Expression::random_number(const Span& place) {
 bool Expression::is_defined() {
     reader_.expect('(');
     const Token name = state_.take_name();
-    const bool defined = name.kind == Token::Kind::identifier && reader_.find(name.text);
+    const bool defined = state_.is_declared(name);
     reader_.expect(')');
     return defined;
 }
@@ -317,23 +319,46 @@ std::optional<Vec3> Expression::vector_function(Word w, const Span& place) {
     }
 }
 
-/// Functions of objects, arrays and noise; their '(' is taken.
+/// dimensions(Array), dimension_size(Array, dimension from 1).
+double Expression::array_function(Word w) {
+    const ArrayValue* const array = reader_.accept_declared<ArrayValue>();
+    if (!array) reader_.fail_expected("array identifier");
+    const std::vector<std::size_t> sizes = array->sizes;
+    if (w == Word::dimensions) return static_cast<double>(sizes.size());
+    const double dimension = std::trunc(next_float());
+    if (!(dimension >= 1.0 && dimension <= static_cast<double>(sizes.size()))) return 0.0;
+    return static_cast<double>(sizes[static_cast<std::size_t>(dimension) - 1]);
+}
+
+/// A call of a declared function or spline.
+Number Expression::unmodelled_call() {
+    reader_.accept_declared<UnmodelledValue>();
+    reader_.expect('(');
+    skip_arguments();
+    return number(0.0);
+}
+
+/// Functions of objects and noise; their '(' is taken.
 Number Expression::unmodelled_function(Word w, const Span& place) {
     const Token& argument = reader_.peek();
     const bool is_name = argument.kind == Token::Kind::identifier;
-    const Value* const value = is_name ? reader_.find(argument.text) : nullptr;
-    if (w == Word::dimensions || w == Word::dimension_size) reader_.fail_expected("array identifier");
+    const Value* const value = is_name ? reader_.next_value() : nullptr;
     if (w == Word::inside || w == Word::trace || w == Word::min_extent || w == Word::max_extent)
         if (!value || !std::holds_alternative<ObjectValue>(*value)) reader_.fail(argument.span, "Object identifier expected.");
     reader_.unmodelled(place, text(w));
+    skip_arguments();
+    const bool is_vector = w == Word::trace || w == Word::min_extent || w == Word::max_extent || w == Word::vturbulence;
+    return is_vector ? vector(Vec3(0.0)) : number(0.0);
+}
+
+/// Takes everything up to the ')' that belongs to a '(' that was taken.
+void Expression::skip_arguments() {
     for (std::size_t depth = 1; depth != 0;) {
         const Token token = reader_.take();
         if (token.is('(')) ++depth;
         if (token.is(')')) --depth;
         if (token.kind == Token::Kind::end) reader_.fail(token.span, "Expected ')', End of File found instead");
     }
-    const bool is_vector = w == Word::trace || w == Word::min_extent || w == Word::max_extent || w == Word::vturbulence;
-    return is_vector ? vector(Vec3(0.0)) : number(0.0);
 }
 
 double Expression::next_float() {

@@ -25,53 +25,114 @@ void Reader::State::fill() {
         next_raw(ahead);
         if (ahead.is('#')) {
             const Span hash = ahead.span;
+            if (waiting.active && ends_declaration()) break;
             directive(hash);
             if (has_ahead) return;  // the directive looked one token too far
         } else if (ahead.kind == Token::Kind::end) {
             if (leave_frame()) continue;
             ahead.span = last;  // what is missing is missing after the last token, not after the blank lines below it
             break;
-        } else if (ahead.kind != Token::Kind::identifier || name_only || !(any_macro || any_deprecated) || !replace_name(ahead.span)) {
+        } else if (ahead.kind != Token::Kind::identifier || name_only || !resolve_name()) {
             break;
         }
     }
     has_ahead = true;
 }
 
+bool Reader::State::ends_declaration() {
+    if (depth != waiting.depth) return false;
+    Lexer& lexer = frames.back().lexer;
+    const std::uint32_t position = lexer.position();
+    Token word;
+    lexer.next(word);
+    lexer.seek(position);
+    switch (word.word) {
+        case Word::end:
+        case Word::else_:
+        case Word::elseif:
+        case Word::case_:
+        case Word::range:
+        case Word::break_:
+            return conditionals.size() == waiting.conditionals;
+        case Word::declare:
+        case Word::local:
+            return version < 3.5;  // when no ';' had to stand there
+        default:
+            return false;
+    }
+}
+
+bool Reader::State::raw_next_is(char symbol) {
+    Lexer& lexer = frames.back().lexer;
+    const std::uint32_t position = lexer.position();
+    Token token;
+    lexer.next(token);
+    lexer.seek(position);
+    return token.is(symbol);
+}
+
 bool Reader::State::leave_frame() {
-    if (conditionals.size() > frames.back().conditionals) reader.fail(conditionals.back().place, "End of file reached but #end expected.");
+    if (may_close()) reader.fail(conditionals.back().place, "End of file reached but #end expected.");
     if (frames.size() == 1) return false;
+    --(frames.back().macro ? macros : files_open);
     frames.pop_back();
+    names.close_scope();
     return true;
+}
+
+void Reader::State::leave_ended_frames(std::size_t frame_count) {
+    Token token;
+    while (frames.size() > frame_count) {
+        Lexer& lexer = frames.back().lexer;
+        const std::uint32_t position = lexer.position();
+        lexer.next(token);
+        if (token.kind != Token::Kind::end) return lexer.seek(position);
+        leave_frame();
+    }
 }
 
 Token Reader::State::take_name() {
     names_only = true;
-    return reader.take();
+    const Token name = reader.take();
+    names_only = false;  // the token may have been looked at before
+    return name;
 }
 
-bool Reader::State::replace_name(const Span& place) {
-    const std::string_view name = ahead.text;
-    if (const auto found = deprecated.find(name); found != deprecated.end()) {
-        reader.warn(place, found->second.message);
-        if (found->second.once) deprecated.erase(found);
+bool Reader::State::resolve_name() {
+    if (any_deprecated) warn_if_deprecated(ahead.text, ahead.span);
+    ahead_variable = names.find(ahead.text);
+    if (!ahead_variable) return false;
+    if (std::holds_alternative<MacroValue>(ahead_variable->value)) {
+        call_macro(VariablePtr(ahead_variable));
+        return true;
     }
-    const Value* const value = reader.find(name);
-    if (!value || !std::holds_alternative<MacroValue>(*value)) return false;
-    reader.unmodelled(place, fmt::format("macro call {}()", name));
-    next_raw(ahead);
-    if (!ahead.is('(')) reader.fail(ahead.span, fmt::format("Expected '(', {} found instead", reader.describe(ahead)));
-    for (std::size_t depth = 1; depth != 0;) {
-        next_raw(ahead);
-        if (ahead.is('(')) ++depth;
-        if (ahead.is(')')) --depth;
-        if (ahead.kind == Token::Kind::end) reader.fail(ahead.span, "Expected ')', End of File found instead");
-    }
-    return true;
+    if (!std::holds_alternative<ArrayValue>(ahead_variable->value) || !raw_next_is('[')) return false;
+    Token name = ahead;
+    const Span before = last;
+    const Word word_before = last_word;
+    VariablePtr element = parse_subscripts(ahead_variable);
+    name.span = since(name.span);
+    if (!element) reader.fail(name.span, "Attempt to access uninitialized array element.");
+    ahead = name;
+    ahead_variable = std::move(element);
+    last = before;
+    last_word = word_before;
+    return false;
 }
 
-void Reader::State::push_file(std::uint32_t file) {
-    frames.push_back({Lexer(scene.sources, file, 0, Span::none, &near_choice), conditionals.size(), {}});
+void Reader::State::warn_if_deprecated(std::string_view name, const Span& place) {
+    const auto found = deprecated.find(name);
+    if (found == deprecated.end()) return;
+    reader.warn(place, found->second.message);
+    if (found->second.once) deprecated.erase(found);
+}
+
+void Reader::State::push_frame(const Lexer& lexer, bool macro) {
+    if (!frames.empty()) {
+        names.open_scope();
+        ++(macro ? macros : files_open);
+    }
+    frames.push_back({lexer, conditionals.size(), macro});
 }
 
 void Reader::State::warn_of_near_choice(const Span& place) {
@@ -81,17 +142,18 @@ void Reader::State::warn_of_near_choice(const Span& place) {
 }
 
 void Reader::State::include(const Span& place, const std::string& name) {
-    if (frames.size() > static_cast<std::size_t>(options.max_include_depth)) reader.fail(place, "Too many nested include files.");
+    if (files_open >= static_cast<std::size_t>(options.max_include_depth)) reader.fail(place, "Too many nested include files.");
     if (++includes > options.max_includes)
         throw LimitError(
             scene.sources.describe(place, "Parse Error", fmt::format("More than {} files are included.", options.max_includes)));
 
-    const std::optional<std::uint32_t> file = find_include(name);
+    std::optional<std::uint32_t> file = find_written(place, name);
+    if (!file) file = find_include(name);
     if (!file) {
         reader.warn_possible(place, fmt::format("Cannot find file '{}', even after trying to append file type extension.", name));
         reader.fail(place, fmt::format("Cannot open include file {}.", name));
     }
-    push_file(*file);
+    push_frame(Lexer(scene.sources, *file, 0, Span::none, &near_choice), false);
 }
 
 std::optional<std::uint32_t> Reader::State::find_include(const std::string& name) {

@@ -20,6 +20,7 @@ constexpr std::size_t least = 10;
 #endif
 
 constexpr std::size_t most = 1000;
+constexpr std::size_t reserve = 4 * bytes_a_level;
 
 /// The calling thread's stack (of the main thread's the limit that `ulimit -s` sets), without the thread-local memory that lies at its end.
 struct Stack {
@@ -45,6 +46,8 @@ std::size_t stack_bytes() {
 }
 
 }  // namespace
+
+bool stack_is_low() { return stack_bytes() < reserve; }
 
 int nesting_that_fits() { return static_cast<int>(std::clamp(stack_bytes() / bytes_a_level, least, most)); }
 

@@ -133,7 +133,7 @@ bool at_color(Reader& reader) {
     const Token& next = reader.peek();
     if (next.kind == Token::Kind::word) return is_color_word(next.word);
     if (next.kind != Token::Kind::identifier) return false;
-    const Value* const value = reader.find(next.text);
+    const Value* const value = reader.next_value();
     const Number* const number = value ? std::get_if<Number>(value) : nullptr;
     return number && number->color;
 }

@@ -47,10 +47,8 @@ std::optional<Value> parse_material_block(Reader& reader) {
 std::optional<Value> parse_declared_block(Reader& reader) {
     const Token next = reader.peek();
     if (next.kind == Token::Kind::identifier) {
-        const Value* const held = reader.find(next.text);
-        if (!held) return std::nullopt;
-        Value copy = *held;
-        reader.take();
+        std::optional<Value> copy = reader.accept_any_declared();
+        if (copy) own_elements(*copy);
         return copy;
     }
     if (next.kind != Token::Kind::word) return std::nullopt;
@@ -62,7 +60,7 @@ std::optional<Value> parse_declared_block(Reader& reader) {
     if (!is_unmodelled_value(next.word)) return std::nullopt;
     reader.take();
     skip_unmodelled_block(reader, next);
-    return MaterialValue{};
+    return UnmodelledValue{next.word};
 }
 
 }  // namespace rt

@@ -13,6 +13,10 @@ namespace rt {
 
 /// How deep blocks and parentheses may be nested on the stack of the calling thread: 1000, or what it surely holds, but at least 100.
 int nesting_that_fits();
+/// True where less is left of the stack than the next level of nesting surely fits into.
+bool stack_is_low();
+/// Three quarters of what is installed.
+std::uint64_t memory_that_fits();
 
 /// What a scene reads of the frame that it is in an animation; all 0 in a single picture.
 struct FrameValues {
@@ -37,6 +41,13 @@ struct ParseOptions {
     int max_include_depth = 100;
     std::size_t max_includes = 1'000'000;   ///< `#include`s carried out, so that files which include each other twice end
     int max_nesting = nesting_that_fits();  ///< of blocks and parentheses
+    int max_directive_nesting = 10'000;     ///< of directives inside the values of others, as far as the stack reaches
+    std::size_t max_macro_depth = 10'000;   ///< of macros that call macros
+    std::size_t max_array_elements = 10'000'000;
+    /// Of text that loops and macros read again, in bytes; each round counts for 64 more.
+    std::uint64_t max_replayed_bytes = std::uint64_t{4} << 30;
+    std::uint64_t max_memory_bytes = memory_that_fits();     ///< of the whole process, looked at while loops and macros run
+    std::size_t max_written_bytes = std::size_t{256} << 20;  ///< by `#write`, which writes into memory
     /// Of one texture: a colour, or a pattern besides its cells, is one node in each layer. Names make textures double with each line.
     std::size_t max_texture_nodes = 10'000;
     std::size_t max_texture_depth = 100;  ///< of patterns inside patterns

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "syntax/reader_state.h"
 #include "syntax/word_groups.h"
 
@@ -10,23 +12,26 @@ namespace rt {
 
 namespace {
 
+constexpr std::size_t max_missing = 1000;  ///< places in one declared value; what is met in the same loop again is one place
+
 Value number(double x) { return Number{{x}, 1, false}; }
 
 void predeclare(Reader::State& state) {
+    const auto set = [&state](std::string_view name, double x) { state.names.bind(0, name, make_variable(number(x))); };
     const FrameValues& frame = state.options.frame;
-    state.globals.emplace("clock_delta", number(frame.clock_delta));
-    state.globals.emplace("final_clock", number(frame.final_clock));
-    state.globals.emplace("final_frame", number(frame.final_frame));
-    state.globals.emplace("frame_number", number(frame.number));
-    state.globals.emplace("initial_clock", number(frame.initial_clock));
-    state.globals.emplace("initial_frame", number(frame.initial_frame));
-    state.globals.emplace("image_width", number(state.options.image_width));
-    state.globals.emplace("image_height", number(state.options.image_height));
+    set("clock_delta", frame.clock_delta);
+    set("final_clock", frame.final_clock);
+    set("final_frame", frame.final_frame);
+    set("frame_number", frame.number);
+    set("initial_clock", frame.initial_clock);
+    set("initial_frame", frame.initial_frame);
+    set("image_width", state.options.image_width);
+    set("image_height", state.options.image_height);
     for (const auto& [name, text] : state.options.declares) {
         char* end = nullptr;
         const double x = std::strtod(text.c_str(), &end);
         const bool is_number = !text.empty() && *end == '\0';
-        state.globals.insert_or_assign(name, is_number ? number(x) : Value(text));
+        state.names.bind(0, name, make_variable(is_number ? number(x) : Value(text)));
     }
 }
 
@@ -46,10 +51,11 @@ Reader::Reader(const ParseOptions& options, Scene& scene, const MessageSink& mes
 Reader::~Reader() = default;
 
 void Reader::open(SourceFile file) {
-    state_->globals.insert_or_assign("input_file_name", file.name);
+    state_->names.bind(0, "input_file_name", make_variable(file.name));
     if (file.text.size() > state_->options.max_file_bytes)
         throw LimitError(fmt::format("File '{}' is larger than {} bytes.", file.name, state_->options.max_file_bytes));
-    state_->push_file(state_->scene.sources.add(std::move(file)));
+    const std::uint32_t index = state_->scene.sources.add(std::move(file));
+    state_->push_frame(Lexer(state_->scene.sources, index, 0, Span::none, &state_->near_choice), false);
 }
 
 // --- tokens
@@ -58,6 +64,7 @@ void Reader::fill() { state_->fill(); }
 
 bool Reader::accept_at_once(Word w) {
     if (state_->has_ahead) return accept(w);
+    state_->leave_ended_frames(1);
     Lexer& lexer = state_->frames.back().lexer;
     const std::uint32_t position = lexer.position();
     Token token;
@@ -99,6 +106,20 @@ void Reader::State::enter(const Span& place) {
     if (++depth > options.max_nesting)
         throw LimitError(scene.sources.describe(place, "Parse Error",
                                                 fmt::format("Blocks and parentheses are nested more than {} deep.", options.max_nesting)));
+    require_stack(place);
+}
+
+void Reader::State::enter_directive(const Span& place) {
+    if (++directives > options.max_directive_nesting)
+        throw LimitError(scene.sources.describe(
+            place, "Parse Error", fmt::format("Directives stand inside each other more than {} deep.", options.max_directive_nesting)));
+    require_stack(place);
+}
+
+void Reader::State::require_stack(const Span& place) {
+    if (!stack_is_low()) return;
+    const std::string text = fmt::format("The stack is too small for {} directives and {} blocks inside each other.", directives, depth);
+    throw LimitError(scene.sources.describe(place, "Parse Error", text));
 }
 
 void Reader::skip_block() {
@@ -115,13 +136,21 @@ void Reader::skip_block() {
 // --- names
 
 const Value* Reader::find(std::string_view name) const {
-    if (!state_->frames.empty()) {
-        const ByName<Value>& locals = state_->frames.back().locals;
-        if (!locals.empty())
-            if (const auto found = locals.find(name); found != locals.end()) return &found->second;
-    }
-    const auto found = state_->globals.find(name);
-    return found == state_->globals.end() ? nullptr : &found->second;
+    if (cursor_.has_ahead && cursor_.ahead.text.data() == name.data())  // its subscripts are part of it
+        return cursor_.ahead_variable ? &cursor_.ahead_variable->value : nullptr;
+    const VariablePtr& variable = state_->names.find(name);
+    return variable ? &variable->value : nullptr;
+}
+
+void Reader::take_declared() {
+    state_->used = cursor_.ahead_variable;
+    cursor_.step();
+    if (!state_->used->missing.empty()) state_->report_missing(VariablePtr(state_->used));
+}
+
+void Reader::State::report_missing(const VariablePtr& variable) {
+    for (const Unmodelled& feature : variable->missing) reader.unmodelled(feature.span, feature.feature);
+    if (!missing) variable->missing.clear();  // told once
 }
 
 // --- messages
@@ -142,6 +171,14 @@ void Reader::warn_possible(const Span& span, std::string_view text) {
 }
 
 void Reader::unmodelled(const Span& span, std::string_view feature) {
+    if (state_->missing) {
+        std::vector<Unmodelled>& lacking = *state_->missing;
+        const auto known = [&](const Unmodelled& u) { return u.span == span && u.feature == feature; };
+        if (lacking.size() < max_missing && std::none_of(lacking.begin(), lacking.end(), known))
+            lacking.push_back({std::string(feature), span});
+        return;
+    }
+    if ((state_->options.collect_unmodelled || state_->options.lenient) && !state_->reported.insert({span.file, span.begin}).second) return;
     if (state_->options.collect_unmodelled) {
         state_->scene.unmodelled.push_back({std::string(feature), span});
     } else if (state_->options.lenient) {

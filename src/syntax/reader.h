@@ -1,9 +1,9 @@
 // The stream of tokens as blocks see it: directives carried out, includes entered, names known.
 //
-// How the rest of the language fits: a token is scanned when it is asked for, from a stack of input frames (file, position, end). A loop is
-// a jump of the top frame back to the position of its condition; a macro call or a `#while` inside a macro pushes a frame over the body's
-// span with a scope of its own; `#switch` is one more kind of entry on the stack of open conditionals; arrays and strings are alternatives
-// of `Value`. Nothing downstream of `peek`/`take` sees any of it.
+// A token is scanned when it is asked for, from a stack of input frames (file, position, end). A loop is a jump of the top frame back to
+// the position of its condition; a macro call pushes a frame over the body's span with a scope of its own; `#switch` is one more kind of
+// entry on the stack of open conditionals; arrays are alternatives of `Value`, and an identifier with subscripts is one token that stands
+// for the element. Nothing downstream of `peek`/`take` sees any of it.
 #pragma once
 
 #include <initializer_list>
@@ -77,13 +77,25 @@ public:
     /// The declared value of the identifier that comes next if it holds a T (the token is taken), else null.
     template <typename T>
     const T* accept_declared() {
-        const Token& t = peek();
-        if (t.kind != Token::Kind::identifier) return nullptr;
-        const Value* value = find(t.text);
+        const Value* value = next_value();
         const T* held = value ? std::get_if<T>(value) : nullptr;
-        if (held) take();
+        if (held) take_declared();
         return held;
     }
+    /// A copy of the declared value of the identifier that comes next (the token is taken), whatever it is.
+    std::optional<Value> accept_any_declared() {
+        const Value* value = next_value();
+        if (!value) return std::nullopt;
+        std::optional<Value> copy = *value;
+        take_declared();
+        return copy;
+    }
+    /// What the next token stands for if it is a name (with subscripts, if it is an array's) that was declared, else null.
+    const Value* next_value() {
+        const bool named = peek().kind == Token::Kind::identifier && cursor_.ahead_variable;
+        return named ? &cursor_.ahead_variable->value : nullptr;
+    }
+    /// What a name stands for. Of the next token, which may have subscripts, ask `next_value`.
     const Value* find(std::string_view name) const;
 
     // --- messages
@@ -126,7 +138,8 @@ private:
     struct Cursor {
         Token ahead;
         bool has_ahead = false;
-        Span last;  ///< of the token taken last
+        VariablePtr ahead_variable;  ///< what `ahead` stands for if it is a name; else of no meaning
+        Span last;                   ///< of the token taken last
         Word last_word = Word::none;
         bool anything_read = false;  ///< a token or directive other than `#version` came first
 
@@ -138,7 +151,8 @@ private:
         }
     };
 
-    void fill();  ///< makes `ahead` the next token, directives carried out
+    void fill();           ///< makes `ahead` the next token, directives carried out
+    void take_declared();  ///< takes a name whose value is used
 
     std::unique_ptr<State> state_;
     Cursor& cursor_;

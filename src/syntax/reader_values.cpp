@@ -34,8 +34,11 @@ bool Reader::at_expression() {
         case Token::Kind::number:
             return true;
         case Token::Kind::identifier: {
-            const Value* const value = find(token.text);
-            return value && std::holds_alternative<Number>(*value);
+            const Value* const value = next_value();
+            if (!value) return false;
+            const auto* const unmodelled = std::get_if<UnmodelledValue>(value);
+            return std::holds_alternative<Number>(*value) ||
+                   (unmodelled && (unmodelled->word == Word::function || unmodelled->word == Word::spline));
         }
         case Token::Kind::word: {
             const WordGroup group = group_of(token.word);

@@ -45,7 +45,8 @@ double difference(const std::string& a, const std::string& b) {
     return at(a, i) - at(b, i);
 }
 
-/// The characters of a literal with its escapes resolved.
+}  // namespace
+
 std::string unescaped(Reader& reader, const Token& token) {
     std::string result;
     const std::string_view raw = token.text;
@@ -68,14 +69,12 @@ std::string unescaped(Reader& reader, const Token& token) {
     return result;
 }
 
-}  // namespace
-
 bool at_string(Reader& reader) {
     const Token& token = reader.peek();
     if (token.kind == Token::Kind::string) return true;
     if (token.kind == Token::Kind::word) return group_of(token.word) == WordGroup::string_function;
     if (token.kind != Token::Kind::identifier) return false;
-    const Value* const value = reader.find(token.text);
+    const Value* const value = reader.next_value();
     return value && std::holds_alternative<std::string>(*value);
 }
 

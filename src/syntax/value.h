@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "scene/scene.h"
+#include "syntax/words.h"
 
 namespace rt {
 
@@ -45,7 +48,47 @@ struct MacroValue {
     bool operator==(const MacroValue&) const = default;
 };
 
+struct Variable;
+/// Where a value is kept. A macro's parameter is the caller's variable itself.
+using VariablePtr = std::shared_ptr<Variable>;
+
+/// One to five dimensions; the last index runs fastest. Elements that were never set are null.
+struct ArrayValue {
+    std::vector<std::size_t> sizes;
+    std::vector<VariablePtr> elements;
+    std::string_view kind;  ///< of all elements, as `kind_of` names it; empty until one is set
+    std::size_t depth = 1;  ///< of arrays inside arrays
+};
+
+struct OpenFile;
+/// A file that `#fopen` opened.
+struct FileValue {
+    std::shared_ptr<OpenFile> file;
+};
+
+/// What can be declared and is not modelled: only its use says so.
+struct UnmodelledValue {
+    Word word = Word::none;
+};
+
 using Value = std::variant<Number, std::string, Pigment, Finish, TextureLayers, Shared<Interior>, MaterialValue, ObjectValue, Camera, Light,
-                           Transform, MacroValue>;
+                           Transform, MacroValue, ArrayValue, FileValue, UnmodelledValue>;
+
+struct Variable {
+    Value value;
+    std::vector<Unmodelled> missing;  ///< what its value would need; reported where it is used
+};
+
+inline VariablePtr make_variable(Value value) {
+    const auto variable = std::make_shared<Variable>();
+    variable->value = std::move(value);
+    return variable;
+}
+
+/// How messages name kinds of values: "float identifier". An array's elements are all of one kind.
+std::string_view kind_of(const Value& value);
+
+/// Gives an array that was copied elements of its own; of other values nothing is shared.
+void own_elements(Value& value);
 
 }  // namespace rt

@@ -1,4 +1,3 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/syntax/read_scene.h"
@@ -112,24 +111,6 @@ TEST(Conditional, DirectivesInsideDirectivesAreALimitNotACrash) {
     scene.clear();
     for (int i = 0; i < 100'000; ++i) scene += "#if(";
     EXPECT_TRUE(read_scene(scene).limit);
-}
-
-TEST(Conditional, LoopsAndSwitchesAreNamedAndCanBeSkipped) {
-    EXPECT_EQ(error_text("#while(1) #end"), "'#while' is not modelled.");
-    EXPECT_EQ(error_text("#for(I,1,3) #end"), "'#for' is not modelled.");
-    EXPECT_EQ(error_text("#switch(1) #end"), "'#switch' is not modelled.");
-    EXPECT_EQ(error_text("#fopen F \"a\" write"), "'#fopen' is not modelled.");
-    ParseOptions collect;
-    collect.collect_unmodelled = true;
-    const Outcome o = read_scene(
-        "#while(1) #if(1) #else #end #end #switch(1) #case(1) #else #end #fopen F \"a\" write #write(F,\"(\",1) #fclose F sphere { 0, 1 }",
-        collect);
-    ASSERT_TRUE(o.scene) << o.error;
-    EXPECT_EQ(o.scene->objects.size(), 1u);
-    std::vector<std::string> features;
-    for (const Unmodelled& u : o.scene->unmodelled) features.push_back(u.feature);
-    EXPECT_THAT(features, testing::ElementsAre("#while", "#switch", "#fopen", "#write", "#fclose"));
-    EXPECT_EQ(error_text("#while(1) #if(1) #end", collect), "End of file reached but #end expected.");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(Declare, NamesStandForTheirValues) {
         {"sphere { #declare A = 1; 0, A } #debug str(A,0,0)", "1"},
         {"#local A = 1; #debug str(A,0,0) #undef A #ifdef(A) #debug \"still\" #end", "1"},
         {"#declare A = 1; #local A = 2; #undef A #ifdef(A) #debug \"still\" #end", ""},
-        {"#declare M = 1; #macro M() anything #end #ifdef(M) #debug \"macro\" #end #undef M #ifdef(M) #debug \"still\" #end", "macro"},
+        {"#macro M() anything #end #ifdef(M) #debug \"macro\" #end #undef M #ifdef(M) #debug \"still\" #end", "macro"},
     };
     for (const auto& [scene, text] : cases) EXPECT_EQ(debug_text(scene), text) << scene;
 }
@@ -140,31 +140,27 @@ TEST(Declare, DescriptionsOfDeclaredNames) {
                   "No matching } in 'sphere', " + std::string(name) + " found instead");
 }
 
-TEST(Macro, BodiesAreSkippedUntilUsed) {
-    EXPECT_EQ(
-        debug_text("#macro M(a, b) unknown { } \"#end\" /* #end */ #if(1) #while(0) #end #else #end #local x = 1 #end #debug \"after\""),
-        "after");
-    EXPECT_EQ(debug_text("#macro M() #end #macro N(a b,c) #end #debug \"after\""), "after");
-    EXPECT_EQ(error_text("#macro M() #end M()"), "'macro call M()' is not modelled.");
-    ParseOptions lenient;
-    lenient.lenient = true;
-    EXPECT_EQ(read_scene("#macro M(a) #end\nM(f(1)) sphere { 0, 1 }", lenient).log(),
-              "File 't.pov' line 2: Parse Warning: 'macro call M()' is not modelled and is ignored.\n"
-              "   2 | M(f(1)) sphere { 0, 1 }\n"
-              "     | ^\n");
+TEST(Declare, WithoutSemicolonsOldScenesAreReadAsTheyWereMeant) {
+    const std::string old = "#version 3.1; ";
+    EXPECT_EQ(read_scene(old + "#declare A = 1 #declare B = A + 1 #declare C = B sphere { 0, C }").error, "");
+    EXPECT_THAT(debug_text(old + "#declare A = 1 #declare B = A + 1 #declare C = B; #debug str(C,0,0)"), testing::EndsWith("2"));
+    EXPECT_THAT(debug_text(old + "#declare I = 0; #while(I < 3) #declare I = I + 1 #end #debug str(I,0,0)"), testing::EndsWith("3"));
+    EXPECT_THAT(debug_text(old + "#if(1) #declare I = 5 #else #declare I = 6 #end #debug str(I,0,0)"), testing::EndsWith("5"));
+    EXPECT_THAT(error_text("#declare I = 0; #while(I < 3) #declare I = I + 1 #end"), testing::StartsWith("All #declares of float"));
 }
 
-TEST(Macro, MistakesAreNamedAsPovRayNamesThem) {
-    const std::vector<std::pair<const char*, const char*>> mistakes{
-        {"#macro M()", "End of file reached but #end expected."},
-        {"#macro M() #if(1) #end", "End of file reached but #end expected."},
-        {"#macro M() #else #end", "Mis-matched '#else'."},
-        {"#macro M(1) #end", "Expected 'identifier or expression.', float function 'float constant' found instead"},
-        {"#macro sphere() #end", "Expected 'undeclared identifier', sphere found instead"},
-        {"#macro M() \"abc #end", "No end quote for string."},
-    };
-    for (const auto& [scene, text] : mistakes) EXPECT_EQ(error_text(scene), text) << scene;
-    EXPECT_NE(error_text("#macro M #end"), "");
+TEST(Declare, WhatIsNotModelledIsReportedWhereItIsUsed) {
+    const std::string unused = "#declare F = function { x } #declare S = spline { 0, 1 } #declare T = density { planar } ";
+    EXPECT_EQ(read_scene(unused + "sphere { 0, 1 }").error, "");
+    EXPECT_EQ(error_text(unused + "sphere { 0, S(1) }"), "'spline' is not modelled.");
+    EXPECT_EQ(read_scene("#declare B = blob { }\n#declare C = B\nobject { C }").error,
+              "File 't.pov' line 1: Parse Error: 'blob' is not modelled.\n"
+              "   1 | #declare B = blob { }\n"
+              "     |              ^^^^");
+    ParseOptions lenient;
+    lenient.lenient = true;
+    const Outcome o = read_scene("#declare B = blob { } #for(I,1,3) object { B } #end", lenient);
+    EXPECT_EQ(o.messages.size(), 1u) << o.log();
 }
 
 TEST(Version, IsKeptAndRestored) {

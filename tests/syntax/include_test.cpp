@@ -32,9 +32,10 @@ TEST(Include, IsLookedForBesideTheIncludingFileThenInTheLibraries) {
     EXPECT_EQ(debug_text("#include \"only.inc\"", options, files), "library");
 }
 
-TEST(Include, LocalNamesEndWithTheirFile) {
-    const Files files{{"a.inc", "#local A = 1; #declare B = A; #include \"b.inc\""}, {"b.inc", "#ifdef(A) #debug \"leaked\" #end"}};
-    EXPECT_EQ(debug_text("#include \"a.inc\" #ifdef(A) #debug \"A\" #end #ifdef(B) #debug \"B\" #end", {}, files), "B");
+TEST(Include, LocalNamesEndWithTheirFileAndAreSeenInWhatItIncludes) {
+    const Files files{{"a.inc", "#local A = 1; #declare B = A; #include \"b.inc\" #debug str(A,0,0)"},
+                      {"b.inc", "#debug str(A,0,0) #local A = 2;"}};
+    EXPECT_EQ(debug_text("#include \"a.inc\" #ifdef(A) #debug \"A\" #end #ifdef(B) #debug \"B\" #end", {}, files), "11B");
 }
 
 TEST(Include, MessagesNameTheIncludedFile) {
