@@ -102,8 +102,10 @@ Word Reader::State::skip_until(const Span& open, Stops stops, Span& hash) {
         next_raw(token);
         if (token.kind == Token::Kind::end) reader.fail(open, "End of file reached but #end expected.");
         if (!token.is('#')) continue;
-        hash = token.span;
-        next_raw(token);
+        while (token.is('#')) {
+            hash = token.span;
+            next_raw(token);
+        }
         if (token.kind != Token::Kind::word) continue;
         if (opens_level(token.word))
             ++depth;

@@ -63,8 +63,10 @@ void Reader::State::declare(bool local) {
 void Reader::State::require_redeclarable(const Token& name, const Value& before) {
     if (std::holds_alternative<MacroValue>(before))
         reader.fail(name.span, "Expected 'undeclared identifier', macro identifier found instead");
+    const auto* const function = std::get_if<FunctionValue>(&before);
     const auto* const unmodelled = std::get_if<UnmodelledValue>(&before);
-    if (unmodelled && unmodelled->word == Word::function)
+    const bool spline = function && std::holds_alternative<std::shared_ptr<const Spline>>(*function);
+    if ((function && !spline) || (unmodelled && unmodelled->word == Word::function))
         reader.fail(name.span, "Redeclaring functions is not allowed - #undef the function first!");
 }
 
@@ -98,7 +100,8 @@ Value Reader::State::parse_declared_value(std::vector<Unmodelled>& lacking) {
     if (at_string(reader)) return reader.parse_string();
     if (const auto number = parse_declared_number()) return *number;
     if (reader.accept(Word::array)) return parse_array();
-    if (auto value = skip_unmodelled_value()) return std::move(*value);
+    if (reader.accept(Word::function)) return parse_function(last);
+    if (reader.accept(Word::spline)) return FunctionValue(parse_spline());
     if (auto value = parse_declared_block(reader)) return std::move(*value);
     reader.fail(first.span, fmt::format("Expected 'RValue to declare', {} found instead", reader.describe(first)));
 }
@@ -109,17 +112,6 @@ std::optional<Number> Reader::State::parse_declared_number() {
     if (!reader.at_expression()) return std::nullopt;
     const Number number = Expression(*this).sum();
     return number.color ? rounded_color(number) : number;
-}
-
-/// Values that exist in the language but not here yet: reported, then skipped.
-std::optional<Value> Reader::State::skip_unmodelled_value() {
-    const Token token = reader.peek();
-    if (!token.is(Word::function) && !token.is(Word::spline)) return std::nullopt;
-    reader.unmodelled(token.span, text(token.word));
-    while (!reader.peek().is('{') && !reader.peek().is(';') && reader.peek().kind != Token::Kind::end && !reader.peek().is('}'))
-        reader.take();
-    if (reader.peek().is('{')) reader.skip_block();
-    return UnmodelledValue{token.word};
 }
 
 void Reader::State::end_of_declaration(const Value& value, std::size_t frame_count) {

@@ -29,6 +29,9 @@ struct KindName {
     std::string_view operator()(const Transform&) const { return "transform identifier"; }
     std::string_view operator()(const MacroValue&) const { return "macro identifier"; }
     std::string_view operator()(const ArrayValue&) const { return "array identifier"; }
+    std::string_view operator()(const FunctionValue& f) const {
+        return std::holds_alternative<std::shared_ptr<const Spline>>(f) ? "spline identifier" : "function identifier";
+    }
     std::string_view operator()(const FileValue&) const { return "file identifier"; }
     std::string_view operator()(const UnmodelledValue& u) const { return text(u.word); }
 };

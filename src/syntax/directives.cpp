@@ -63,15 +63,14 @@ void Reader::State::directive(const Span& hash) {
         case Word::range:
             return pass_case(name.word, place);
         case Word::fopen:
-            return open_file(place);
         case Word::fclose:
-            return close_file();
         case Word::read:
-            return read_file(place);
         case Word::write:
-            return write_file(place);
+            return file_directive(name.word, place);
         default:
-            reader.fail(name.span, fmt::format("Expected 'object or directive', {} found instead", reader.describe(name)));
+            if (name.kind == Token::Kind::number || name.kind == Token::Kind::string)
+                reader.fail(name.span, fmt::format("Expected 'object or directive', {} found instead", reader.describe(name)));
+            frames.back().lexer.seek(name.span.begin);  // '#' before anything else says nothing
     }
 }
 

@@ -216,7 +216,7 @@ Number Expression::primary() {
 
 Number Expression::identifier() {
     if (const Number* declared = reader_.accept_declared<Number>()) return *declared;
-    if (reader_.at_expression()) return unmodelled_call();
+    if (reader_.at_expression()) return call();
     reader_.fail_expected("numeric expression");
 }
 

@@ -66,6 +66,9 @@ private:
     double array_function(Word w);
     Number unmodelled_function(Word w, const Span& place);
     Number unmodelled_call();
+    Number call();
+    Number function_value(const Function& function, const Span& place);
+    Number spline_value(const Spline& spline, const Span& place);
     void skip_arguments();
     double next_float();
     Vec3 next_vector();

@@ -330,7 +330,7 @@ double Expression::array_function(Word w) {
     return static_cast<double>(sizes[static_cast<std::size_t>(dimension) - 1]);
 }
 
-/// A call of a declared function or spline.
+/// A call of a declared function that is not modelled.
 Number Expression::unmodelled_call() {
     reader_.accept_declared<UnmodelledValue>();
     reader_.expect('(');

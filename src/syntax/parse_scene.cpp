@@ -113,6 +113,8 @@ void parse_statement(Reader& reader, Placed& placed) {
         place_camera(reader, next.span, placed);
     } else if (reader.accept(Word::background)) {
         parse_background(reader);
+    } else if (reader.accept(Word::default_)) {
+        parse_default(reader);
     } else if (reader.accept(Word::global_settings)) {
         parse_global_settings(reader);
     } else if (next.kind == Token::Kind::word && is_unmodelled_item(next.word)) {

@@ -23,6 +23,10 @@ constexpr std::string_view version_late =
     "add a #version statement to the scene to make your intent clear. Future versions of POV-Ray may make the presence of a #version "
     "mandatory.";
 
+constexpr std::string_view experimental_spline =
+    "This rendering uses the following experimental feature(s): spline. The design and implementation of these features is likely to "
+    "change in future versions of POV-Ray. Backward compatibility with the current implementation is not guaranteed.";
+
 }  // namespace
 
 Scene parse_file(const std::string& path, const ParseOptions& options, const MessageSink& messages) {
@@ -38,6 +42,7 @@ Scene parse_text(SourceFile file, const ParseOptions& options, const MessageSink
     parse_scene(reader);
     if (!reader.version_stated()) reader.warn({}, version_missing);
     if (reader.version_came_late()) reader.warn({}, version_late);
+    if (reader.any_spline()) reader.warn({}, experimental_spline);
     return scene;
 }
 

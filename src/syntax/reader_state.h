@@ -114,7 +114,6 @@ struct Reader::State : Reader::Cursor {
     /// The value is new: features that it lacks are put into `missing`.
     Value parse_declared_value(std::vector<Unmodelled>& missing);
     std::optional<Number> parse_declared_number();
-    std::optional<Value> skip_unmodelled_value();
     void end_of_declaration(const Value& value, std::size_t frame_count);
     void accept_semicolon(std::size_t frame_count);
     std::optional<Deprecation> parse_deprecation();
@@ -135,7 +134,14 @@ struct Reader::State : Reader::Cursor {
     void set_element(const Span& place, ArrayValue& array, std::size_t index, VariablePtr value);
     void declare_element(const Token& name, VariablePtr variable);
 
+    // --- parse_function.cpp, parse_spline.cpp
+    Value parse_function(const Span& place);
+    Value parse_built_in(const Span& place);
+    std::vector<std::string_view> parse_parameters();
+    std::shared_ptr<const Spline> parse_spline();
+
     // --- user_files.cpp
+    void file_directive(Word w, const Span& place);
     void open_file(const Span& place);
     void close_file();
     void read_file(const Span& place);
@@ -184,6 +190,7 @@ struct Reader::State : Reader::Cursor {
     Names names;
     ByName<Deprecation> deprecated;
     bool any_deprecated = false;
+    bool any_spline = false;
     std::vector<Unmodelled>* missing = nullptr;                  ///< of the value that is being declared; reported at once where it is null
     std::set<std::pair<std::uint32_t, std::uint32_t>> reported;  ///< places of what is not modelled: text may be read several times
     VariablePtr used;                                            ///< whose value was taken last

@@ -37,8 +37,8 @@ bool Reader::at_expression() {
             const Value* const value = next_value();
             if (!value) return false;
             const auto* const unmodelled = std::get_if<UnmodelledValue>(value);
-            return std::holds_alternative<Number>(*value) ||
-                   (unmodelled && (unmodelled->word == Word::function || unmodelled->word == Word::spline));
+            return std::holds_alternative<Number>(*value) || std::holds_alternative<FunctionValue>(*value) ||
+                   (unmodelled && unmodelled->word == Word::function);
         }
         case Token::Kind::word: {
             const WordGroup group = group_of(token.word);

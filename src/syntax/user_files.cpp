@@ -92,6 +92,13 @@ private:
 
 }  // namespace
 
+void Reader::State::file_directive(Word w, const Span& place) {
+    if (w == Word::fopen) return open_file(place);
+    if (w == Word::fclose) return close_file();
+    if (w == Word::read) return read_file(place);
+    write_file(place);
+}
+
 /// #fopen Handle "name" read | write | append
 void Reader::State::open_file(const Span& place) {
     const Token handle = take_name();

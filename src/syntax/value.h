@@ -60,11 +60,16 @@ struct ArrayValue {
     std::size_t depth = 1;  ///< of arrays inside arrays
 };
 
+struct Function;
+struct Spline;
 struct OpenFile;
 /// A file that `#fopen` opened.
 struct FileValue {
     std::shared_ptr<OpenFile> file;
 };
+
+/// function { } of floats or of a transform; spline { }, which is called like one.
+using FunctionValue = std::variant<std::shared_ptr<const Function>, Transform, std::shared_ptr<const Spline>>;
 
 /// What can be declared and is not modelled: only its use says so.
 struct UnmodelledValue {
@@ -72,7 +77,7 @@ struct UnmodelledValue {
 };
 
 using Value = std::variant<Number, std::string, Pigment, Finish, TextureLayers, Shared<Interior>, MaterialValue, ObjectValue, Camera, Light,
-                           Transform, MacroValue, ArrayValue, FileValue, UnmodelledValue>;
+                           Transform, MacroValue, ArrayValue, FunctionValue, FileValue, UnmodelledValue>;
 
 struct Variable {
     Value value;

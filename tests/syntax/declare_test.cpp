@@ -150,9 +150,9 @@ TEST(Declare, WithoutSemicolonsOldScenesAreReadAsTheyWereMeant) {
 }
 
 TEST(Declare, WhatIsNotModelledIsReportedWhereItIsUsed) {
-    const std::string unused = "#declare F = function { x } #declare S = spline { 0, 1 } #declare T = density { planar } ";
+    const std::string unused = "#declare F = function { pattern { agate } } #declare T = density { planar } ";
     EXPECT_EQ(read_scene(unused + "sphere { 0, 1 }").error, "");
-    EXPECT_EQ(error_text(unused + "sphere { 0, S(1) }"), "'spline' is not modelled.");
+    EXPECT_EQ(error_text(unused + "sphere { 0, F(1,2,3) }"), "'function { pattern }' is not modelled.");
     EXPECT_EQ(read_scene("#declare B = blob { }\n#declare C = B\nobject { C }").error,
               "File 't.pov' line 1: Parse Error: 'blob' is not modelled.\n"
               "   1 | #declare B = blob { }\n"

@@ -1,0 +1,108 @@
+// spline { }, and calls of what a scene declares as functions.
+#include <fmt/format.h>
+
+#include "core/function.h"
+#include "core/spline.h"
+#include "syntax/expression.h"
+
+namespace rt {
+
+namespace {
+
+std::optional<Spline::Kind> spline_kind(Word w) {
+    switch (w) {
+        case Word::linear_spline:
+            return Spline::Kind::linear;
+        case Word::quadratic_spline:
+            return Spline::Kind::quadratic;
+        case Word::cubic_spline:
+            return Spline::Kind::cubic;
+        case Word::natural_spline:
+            return Spline::Kind::natural;
+        default:
+            return std::nullopt;
+    }
+}
+
+std::optional<Spline::Kind> accept_kind(Reader& reader) {
+    const std::optional<Spline::Kind> kind = spline_kind(reader.peek().word);
+    if (kind) reader.take();
+    return kind;
+}
+
+}  // namespace
+
+/// What follows the word `spline`.
+std::shared_ptr<const Spline> Reader::State::parse_spline() {
+    reader.begin_block("spline");
+    Spline spline;
+    if (const auto* const declared = reader.accept_declared<FunctionValue>()) {
+        const auto* const base = std::get_if<std::shared_ptr<const Spline>>(declared);
+        if (!base) reader.fail(last, "Expected 'spline identifier', function identifier found instead");
+        spline = **base;
+        reader.accept_comma();
+    }
+    if (const auto kind = accept_kind(reader)) spline.kind = *kind;
+    reader.accept_comma();
+    while (reader.at_expression()) {
+        Spline::Point point;
+        const Span place = reader.peek().span;
+        point.t = reader.parse_float();
+        reader.accept_comma();
+        Number value = Expression(*this).sum();
+        if (value.size == 1) value.v.fill(value.v[0]);
+        point.value = value.v;
+        spline.size = std::max(spline.size, value.size == 1 ? 2 : value.size);
+        spline.points.push_back(point);
+        count_replay(place, 0);
+        reader.accept_comma();
+    }
+    if (spline.points.empty()) reader.fail(reader.peek().span, "Spline must have at least one entry.");
+    reader.end_block();
+    spline.arrange();
+    any_spline = true;
+    return std::make_shared<const Spline>(std::move(spline));
+}
+
+/// A call of a declared function or spline, whose name comes next.
+Number Expression::call() {
+    const Span place = reader_.peek().span;
+    const FunctionValue* const declared = reader_.accept_declared<FunctionValue>();
+    if (!declared) return unmodelled_call();
+    const NestingGuard guard(state_, place);
+    const FunctionValue value = *declared;
+    reader_.expect('(');
+    Number result;
+    if (const auto* const spline = std::get_if<std::shared_ptr<const Spline>>(&value)) {
+        result = spline_value(**spline, place);
+    } else if (const auto* const transform = std::get_if<Transform>(&value)) {
+        const double x = sum_float(), y = next_float(), z = next_float();
+        const Vec3 moved = transform->point({x, y, z});
+        result = {{moved.x, moved.y, moved.z}, 3, false};
+    } else {
+        result = function_value(*std::get<std::shared_ptr<const Function>>(value), place);
+    }
+    reader_.expect(')');
+    return result;
+}
+
+Number Expression::function_value(const Function& function, const Span& place) {
+    std::vector<double> arguments;
+    while (arguments.size() < function.parameters) arguments.push_back(arguments.empty() ? sum_float() : next_float());
+    const std::uint64_t limit = state_.options.max_replayed_bytes;
+    std::uint64_t left = limit;
+    const std::optional<double> value = rt::evaluate(function, arguments, left);
+    state_.count_replay(place, limit - left + (value ? 0 : 1));
+    return {{value.value_or(0.0)}, 1, false};
+}
+
+/// spline(t [, kind])
+Number Expression::spline_value(const Spline& spline, const Span& place) {
+    const double t = sum_float();
+    reader_.accept_comma();
+    const Spline::Kind kind = accept_kind(reader_).value_or(spline.kind);
+    if (kind == Spline::Kind::natural) state_.count_replay(place, spline.points.size());
+    return {rt::evaluate(spline, t, kind), spline.size, false};
+}
+
+}  // namespace rt
