@@ -87,9 +87,15 @@ MeshData::Face parse_indices(Reader& reader, std::size_t size, std::string_view 
     return face;
 }
 
-/// A face may be followed by one texture index or three: as many as there are numbers before the next '<'.
+bool at_vector(Reader& reader) {
+    const Value* const value = reader.next_value();
+    const Number* const number = value ? std::get_if<Number>(value) : nullptr;
+    return reader.peek().is('<') || (number && number->size > 1);
+}
+
+/// A face may be followed by one texture index or three: as many as there are numbers before the next vector.
 void skip_texture_indices(Reader& reader, const Mesh2& mesh) {
-    for (int i = 0; i < 3 && reader.at_expression() && !reader.peek().is('<'); ++i) {
+    for (int i = 0; i < 3 && reader.at_expression() && !at_vector(reader); ++i) {
         const int index = parse_int(reader);
         if (index < 0 || static_cast<std::size_t>(index) >= mesh.textures)
             reader.fail(reader.peek().span, "Texture index out of range in mesh2.");

@@ -51,7 +51,7 @@ void make_room(Reader& reader) {
     Scene& scene = reader.scene();
     const std::size_t size = scene.objects.size();
     const Span last = reader.last_place();
-    if (size < 128 || size < scene.objects.capacity() || last.file == Span::none) return;
+    if (size < 128 || size < scene.objects.capacity() || last.file == Span::none || reader.has_replayed()) return;
     const std::size_t expected = size * (scene.sources.file(last.file).text.size() / std::max<std::size_t>(last.end, 1) + 1);
     scene.objects.reserve(std::clamp(expected, 2 * size, 64 * size));
 }

@@ -194,6 +194,7 @@ const ParseOptions& Reader::options() const { return state_->options; }
 Scene& Reader::scene() { return state_->scene; }
 double Reader::version() const { return state_->version; }
 bool Reader::version_stated() const { return state_->version_stated; }
+bool Reader::has_replayed() const { return state_->replayed != 0; }
 bool Reader::any_spline() const { return state_->any_spline; }
 bool Reader::version_came_late() const { return state_->version_late; }
 TextureLayers& Reader::default_texture() { return state_->default_texture; }

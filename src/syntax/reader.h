@@ -117,6 +117,7 @@ public:
     /// Language version in force here, e.g. 3.7; what `version` reads.
     double version() const;
     bool version_stated() const;     ///< by a directive or an option
+    bool has_replayed() const;       ///< has a loop or a macro been read, so that places do not tell how much is left?
     bool any_spline() const;         ///< was a spline declared?
     bool version_came_late() const;  ///< the first #version was not the first thing in the scene
     /// #default: the template of new textures and of objects without one.

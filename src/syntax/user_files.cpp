@@ -25,8 +25,11 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
     return !error && std::mismatch(root.begin(), root.end(), whole.begin(), whole.end()).first == root.end();
 }
 
-/// As `%g` of the C library writes it.
-std::string short_text(double x) { return fmt::format("{:g}", x); }
+/// Each float as `%g` of the C library writes it, a blank behind a vector.
+std::string text_of(const Number& n) {
+    if (n.size == 1) return fmt::format("{:g}", n.v[0]);
+    return fmt::format("<{:g}> ", fmt::join(n.v.begin(), n.v.begin() + n.size, ","));
+}
 
 /// One value of a file that is read: a float with its sign, a vector of such, or a string.
 class FileReader {
@@ -226,10 +229,7 @@ void Reader::State::write_file(const Span& place) {
         if (at_string(reader)) {
             text = reader.parse_string();
         } else if (reader.at_expression()) {
-            const Number n = Expression(*this).sum();
-            text = n.size == 1 ? short_text(n.v[0]) : "<" + short_text(n.v[0]);
-            for (int i = 1; i < n.size; ++i) text += "," + short_text(n.v[i]);
-            if (n.size > 1) text += "> ";
+            text = text_of(Expression(*this).sum());
         } else {
             reader.fail_expected("string");
         }

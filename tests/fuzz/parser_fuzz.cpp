@@ -6,9 +6,10 @@
 
 namespace {
 
-/// Two files that includes find; the second includes itself.
+/// Files that includes and `#fopen` find; the last includes itself.
 std::optional<std::string> read_include(const std::string& path) {
     if (path == "a.inc") return "#local L = 2; #declare A = L; #ifndef(B) #declare B = sphere { 0, A } #end\n";
+    if (path == "data.txt") return "1, <2,3,4> \"five\"\n-6";
     if (path == "self.inc") return "#include \"self.inc\"\n";
     return std::nullopt;
 }
@@ -24,6 +25,11 @@ rt::ParseOptions options_from(std::uint8_t choice) {
     options.max_texture_nodes = 64;
     options.max_texture_depth = 8;
     options.max_scene_nodes = 256;
+    options.max_macro_depth = 40;
+    options.max_directive_nesting = 40;
+    options.max_replayed_bytes = 20'000;
+    options.max_array_elements = 1'000;
+    options.max_written_bytes = 10'000;
     options.max_file_bytes = std::size_t{1} << 20;
     options.declares = {{"Width", "3"}, {"Label", "text"}};
     options.lenient = (choice & 1) != 0;
