@@ -20,12 +20,6 @@ Number rounded_color(Number color) {
     return color;
 }
 
-Value copy_of(const Value& value) {
-    Value copy = value;
-    own_elements(copy);
-    return copy;
-}
-
 Number from_pigment_color(const PigmentColor& c) { return {{c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit}, 5, true}; }
 
 }  // namespace
@@ -41,7 +35,7 @@ void Reader::State::declare(bool local) {
     VariablePtr known = names.find(name.text);
     if (known && local && known != names.find_in(scope, name.text)) {
         const bool element = std::holds_alternative<ArrayValue>(known->value) && raw_next_is('[');
-        known = element ? make_variable(copy_of(known->value)) : nullptr;
+        known = element ? make_variable(copy_of(name.span, known->value)) : nullptr;
         if (element) names.bind(scope, name.text, known);
     }
     if (known) require_redeclarable(name, known->value);

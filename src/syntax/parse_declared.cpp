@@ -47,9 +47,7 @@ std::optional<Value> parse_material_block(Reader& reader) {
 std::optional<Value> parse_declared_block(Reader& reader) {
     const Token next = reader.peek();
     if (next.kind == Token::Kind::identifier) {
-        std::optional<Value> copy = reader.accept_any_declared();
-        if (copy) own_elements(*copy);
-        return copy;
+        return reader.accept_any_declared();
     }
     if (next.kind != Token::Kind::word) return std::nullopt;
     if (std::optional<Value> value = parse_material_block(reader)) return value;

@@ -44,8 +44,9 @@ struct ParseOptions {
     int max_directive_nesting = 10'000;     ///< of directives inside the values of others, as far as the stack reaches
     std::size_t max_macro_depth = 10'000;   ///< of macros that call macros
     std::size_t max_array_elements = 10'000'000;
-    /// Of text that loops and macros read again, in bytes; each round counts for 64 more.
-    std::uint64_t max_replayed_bytes = std::uint64_t{4} << 30;
+    /// Of text that loops and macros read again, in bytes; each round counts for 64 more, each
+    /// element of an array that is copied for 16.
+    std::uint64_t max_replayed_bytes = std::uint64_t{2} << 30;
     std::uint64_t max_memory_bytes = memory_that_fits();     ///< of the whole process, looked at while loops and macros run
     std::size_t max_written_bytes = std::size_t{256} << 20;  ///< by `#write`, which writes into memory
     /// Of one texture: a colour, or a pattern besides its cells, is one node in each layer. Names make textures double with each line.

@@ -12,7 +12,8 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t max_missing = 1000;  ///< places in one declared value; what is met in the same loop again is one place
+constexpr std::size_t many_objects = 1000;  ///< whose copies may take so much memory that it is looked at
+constexpr std::size_t max_missing = 1000;   ///< places in one declared value; what is met in the same loop again is one place
 
 Value number(double x) { return Number{{x}, 1, false}; }
 
@@ -142,9 +143,25 @@ const Value* Reader::find(std::string_view name) const {
     return variable ? &variable->value : nullptr;
 }
 
+std::optional<Value> Reader::accept_any_declared() {
+    if (!next_value()) return std::nullopt;
+    const Span place = peek().span;
+    take_declared();
+    return state_->copy_of(place, state_->used->value);
+}
+
+Value Reader::State::copy_of(const Span& place, const Value& value) {
+    if (const auto* array = std::get_if<ArrayValue>(&value)) count_replay(place, 16 * array->elements.size());
+    Value copy = value;
+    own_elements(copy);
+    return copy;
+}
+
 void Reader::take_declared() {
     state_->used = cursor_.ahead_variable;
     cursor_.step();
+    const auto* const object = std::get_if<ObjectValue>(&state_->used->value);
+    if (object && object->objects.size() > many_objects) state_->check_memory(cursor_.last);
     if (!state_->used->missing.empty()) state_->report_missing(VariablePtr(state_->used));
 }
 

@@ -83,13 +83,7 @@ public:
         return held;
     }
     /// A copy of the declared value of the identifier that comes next (the token is taken), whatever it is.
-    std::optional<Value> accept_any_declared() {
-        const Value* value = next_value();
-        if (!value) return std::nullopt;
-        std::optional<Value> copy = *value;
-        take_declared();
-        return copy;
-    }
+    std::optional<Value> accept_any_declared();
     /// What the next token stands for if it is a name (with subscripts, if it is an array's) that was declared, else null.
     const Value* next_value() {
         const bool named = peek().kind == Token::Kind::identifier && cursor_.ahead_variable;
