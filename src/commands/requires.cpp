@@ -8,6 +8,7 @@
 #include "commands/base/program.h"
 #include "commands/commands.h"
 #include "commands/job/job_steps.h"
+#include "commands/job/picture_files.h"
 #include "commands/job/render_arguments.h"
 #include "commands/job/requirements.h"
 #include "core/source.h"
@@ -69,6 +70,8 @@ int run_requires(const Words& words) {
     ParseOptions& options = arguments->parse;
     const bool as_json = arguments->json;
     for (std::string& path : default_library_paths()) options.library_paths.push_back(std::move(path));
+
+    options.read_picture = read_picture_file;
 
     int status = 0;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();

@@ -2,6 +2,7 @@
 // loaded when the first such file is touched.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,9 +48,10 @@ std::string png_bytes(const Film& film, const Encoding& encoding, const ImageMet
 
 /// A picture as stored: 8- and 16-bit formats hold integers in 0..max_value, float formats hold linear floats (max_value 0).
 struct StoredImage {
-    int width = 0, height = 0, channels = 0;  ///< 1..4 channels
-    int max_value = 255;                      ///< 255 or 65535; a pixmap may state another
-    std::vector<float> values;                ///< interleaved, row by row from the top; integers as they are in the file
+    int width = 0, height = 0, channels = 0;     ///< 1..4 channels
+    int max_value = 255;                         ///< 255 or 65535; a pixmap may state another
+    std::vector<float> values;                   ///< interleaved, row by row from the top; integers as they are in the file
+    std::optional<double> gamma = std::nullopt;  ///< the exponent that decodes it, where a PNG says so and does not say sRGB
 };
 
 /// Reads any format. Throws OptionError naming the file and what is wrong with it.

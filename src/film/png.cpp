@@ -209,6 +209,10 @@ void read_header(const Reader& reader, std::FILE* file, StoredImage& image) {
     image.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
     image.channels = png_get_channels(reader.png, reader.info);
     image.max_value = png_get_bit_depth(reader.png, reader.info) == 16 ? 65535 : 255;
+    png_fixed_point encoded = 0;
+    if (png_get_valid(reader.png, reader.info, PNG_INFO_sRGB) == 0 && png_get_gAMA_fixed(reader.png, reader.info, &encoded) != 0 &&
+        encoded > 0)
+        image.gamma = 1e5 / encoded;
 }
 
 }  // namespace

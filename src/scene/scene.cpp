@@ -2,9 +2,14 @@
 
 namespace rt {
 
-// Out of line: in the header the cells' own comparison would not be known yet. Written out: of vectors of cells clang 14 crashes on a
-// comparison that is defaulted here.
-bool CheckerPigment::operator==(const CheckerPigment& other) const { return cells == other.cells; }
-bool CheckerTexture::operator==(const CheckerTexture& other) const { return cells == other.cells && transform == other.transform; }
+// Out of line: where these are declared, what they compare is not known yet.
+bool StatedPattern::operator==(const StatedPattern&) const = default;
+bool Pigment::operator==(const Pigment&) const = default;
+bool PigmentMap::operator==(const PigmentMap&) const = default;
+bool Normal::operator==(const Normal&) const = default;
+bool NormalMap::operator==(const NormalMap&) const = default;
+bool Texture::operator==(const Texture&) const = default;
+bool TextureMap::operator==(const TextureMap&) const = default;
+bool PatternTexture::operator==(const PatternTexture&) const = default;
 
 }  // namespace rt

@@ -12,97 +12,11 @@
 #include "core/source.h"
 #include "core/transform.h"
 #include "geometry/shape.h"
-#include "scene/cells.h"
+#include "scene/atmosphere.h"
 #include "scene/set.h"
+#include "scene/texture.h"
 
 namespace rt {
-
-/// POV-Ray's five channels. Opacity of the surface terms is 1 - filter - transmit.
-struct PigmentColor {
-    Rgb rgb{0.0};
-    double filter = 0.0;
-    double transmit = 0.0;
-    bool operator==(const PigmentColor&) const = default;
-};
-
-struct Pigment;
-
-/// `checker A, B`: cubes of size 1 in pattern space. Later patterns become further alternatives of `Pigment::content`.
-struct CheckerPigment {
-    Cells<Pigment> cells;
-    bool operator==(const CheckerPigment&) const;
-};
-
-struct Pigment {
-    std::variant<PigmentColor, CheckerPigment> content;
-    std::optional<Transform> transform;  ///< pattern space to the space around it
-    std::optional<PigmentColor> quick_color;
-    bool operator==(const Pigment&) const = default;
-};
-
-/// `//! raytrace: key=value`; at file level or inside one finish.
-struct SceneOption {
-    std::string key;
-    std::string value;
-    Span span;
-    int level = 0;  ///< above that of the choices which the block inherited from another one
-    bool operator==(const SceneOption&) const = default;
-};
-
-struct Reflection {
-    Rgb min{0.0};
-    Rgb max{0.0};
-    double falloff = 1.0;
-    double exponent = 1.0;
-    double metallic = 0.0;
-    bool fresnel = false;
-    bool operator==(const Reflection&) const = default;
-};
-
-/// Coefficients are as POV-Ray uses them; `albedo` forms are already multiplied out. Nothing is clamped.
-struct Finish {
-    Rgb ambient{0.1};
-    Rgb emission{0.0};
-    double diffuse = 0.6;
-    double diffuse_back = 0.0;
-    double brilliance = 1.0;
-    double phong = 0.0;
-    double phong_size = 40.0;
-    double specular = 0.0;
-    std::optional<double> roughness;  ///< POV-Ray's default is 0.05; whether it was stated matters to the general form
-    double metallic = 0.0;
-    Reflection reflection;
-    bool conserve_energy = false;
-    // The legacy keywords of POV-Ray 3.0 inside finish.
-    std::optional<double> ior;
-    std::optional<double> refraction;  ///< factor on all transmitted light
-    std::optional<double> caustics;    ///< the exponent itself
-    std::vector<SceneOption> options;  ///< our own choices, from comments inside the finish
-    bool operator==(const Finish&) const = default;
-};
-
-struct Texture;
-
-struct PlainTexture {
-    Pigment pigment;
-    Finish finish;
-    bool operator==(const PlainTexture&) const = default;
-};
-
-/// `texture { checker texture{..} texture{..} }`. Each cell may be layered.
-struct CheckerTexture {
-    Cells<std::vector<Texture>> cells;
-    std::optional<Transform> transform;
-    bool operator==(const CheckerTexture&) const;
-};
-
-struct Texture {
-    std::variant<PlainTexture, CheckerTexture> content;
-    bool operator==(const Texture&) const = default;
-};
-
-/// First is the bottom layer, last the top one.
-using TextureLayers = Shared<std::vector<Texture>>;
 
 struct Interior {
     std::optional<double> ior;  ///< unstated: 1
@@ -126,6 +40,7 @@ struct Object {
     bool inverse = false;
     bool hollow = false;
     std::optional<std::uint32_t> shares_interior;  ///< with that object of the same list, which is before this one
+    bool uv_mapping = false;                       ///< all patterns of its textures are seen at (u, v, 0)
     Span span;
     bool operator==(const Object&) const = default;
 
@@ -202,6 +117,9 @@ struct GlobalSettings {
     static constexpr int highest_trace_level = 256;
     int max_trace_level = 5;  ///< 1..highest_trace_level
     double adc_bailout = 1.0 / 255.0;
+    std::optional<NoiseGenerator> noise_generator;  ///< unstated: as the language version has it
+    int number_of_waves = 10;                       ///< of ripples and waves; at least 1
+    Rgb irid_wavelength{0.70, 0.52, 0.48};
     bool operator==(const GlobalSettings&) const = default;
 };
 
@@ -219,6 +137,9 @@ struct Scene {
     std::vector<SetNode> sets;                    ///< those that take pieces of surfaces away, and what they are made of
     std::vector<Object> clips;                    ///< what clips: seen by no ray
     PigmentColor background{Rgb(0.0), 0.0, 1.0};  ///< none stated: black, and transparent in a picture with alpha
+    std::optional<SkySphere> sky_sphere;
+    std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     GlobalSettings settings;
     double language_version = 0.0;  ///< last #version; 0 when none was seen and no include restored one
     std::vector<Unmodelled> unmodelled;

@@ -31,6 +31,12 @@ Shared<Interior> parse_interior(Reader& reader, Shared<Interior> base);
 MaterialValue parse_material(Reader& reader, MaterialValue base);
 /// `texture { }`: appends its layers to `layers`; an empty optional means that there is no texture yet.
 void parse_texture(Reader& reader, std::optional<TextureLayers>& layers);
+/// What stands between its braces, and in the entries of a texture_map.
+void parse_texture_body(Reader& reader, std::optional<TextureLayers>& layers);
+// What surrounds the objects, after the word.
+SkySphere parse_sky_sphere(Reader& reader);
+Fog parse_fog(Reader& reader);
+Rainbow parse_rainbow(Reader& reader);
 /// Any of translate, rotate, scale, matrix, transform at the next token; empty if none is there.
 std::optional<Transform> accept_transform(Reader& reader);
 /// What an object statement places.

@@ -28,6 +28,15 @@ struct KindName {
     std::string_view operator()(const Light&) const { return "object identifier"; }
     std::string_view operator()(const Transform&) const { return "transform identifier"; }
     std::string_view operator()(const MacroValue&) const { return "macro identifier"; }
+    std::string_view operator()(const Normal&) const { return "normal identifier"; }
+    std::string_view operator()(const Shared<ColorMap>&) const { return "colour map identifier"; }
+    std::string_view operator()(const Shared<PigmentMap>&) const { return "pigment_map identifier"; }
+    std::string_view operator()(const Shared<NormalMap>&) const { return "normal_map identifier"; }
+    std::string_view operator()(const Shared<TextureMap>&) const { return "texture_map identifier"; }
+    std::string_view operator()(const Shared<SlopeMap>&) const { return "slope_map identifier"; }
+    std::string_view operator()(const SkySphere&) const { return "sky_sphere identifier"; }
+    std::string_view operator()(const Fog&) const { return "fog identifier"; }
+    std::string_view operator()(const Rainbow&) const { return "rainbow identifier"; }
     std::string_view operator()(const ArrayValue&) const { return "array identifier"; }
     std::string_view operator()(const FunctionValue& f) const {
         return std::holds_alternative<std::shared_ptr<const Spline>>(f) ? "spline identifier" : "function identifier";

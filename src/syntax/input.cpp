@@ -156,11 +156,28 @@ void Reader::State::include(const Span& place, const std::string& name) {
     push_frame(Lexer(scene.sources, *file, 0, Span::none, &near_choice), false);
 }
 
-std::optional<std::uint32_t> Reader::State::find_include(const std::string& name) {
+std::vector<std::string> Reader::State::search_folders() const {
     std::vector<std::string> folders{folder_of(scene.sources.file(frames.back().lexer.file()).name), ""};
     folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
     if (!options.read_include) folders.insert(folders.end(), installed_includes.begin(), installed_includes.end());
-    for (const std::string& folder : folders)
+    return folders;
+}
+
+std::optional<PictureFile> Reader::find_picture(std::string_view name) {
+    if (!state_->options.read_picture) return std::nullopt;
+    for (const std::string& folder : state_->search_folders())
+        if (auto found = state_->options.read_picture((std::filesystem::path(folder) / name).string())) return found;
+    return std::nullopt;
+}
+
+std::optional<std::string> Reader::find_bytes(std::string_view name) {
+    for (const std::string& folder : state_->search_folders())
+        if (auto found = read_file_text((std::filesystem::path(folder) / name).string(), state_->options.max_file_bytes)) return found;
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> Reader::State::find_include(const std::string& name) {
+    for (const std::string& folder : search_folders())
         for (const char* extension : {"", ".inc"})
             if (const auto file = load((std::filesystem::path(folder) / (name + extension)).string())) return file;
     return std::nullopt;

@@ -14,7 +14,7 @@ namespace rt {
 namespace {
 
 void settle(Reader& reader, std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always) {
-    if (layers && motion && (always || has_any_pattern(*layers))) transform_layers(reader, *layers, *motion);
+    if (layers && motion && (always || has_any_pattern(*layers))) move_layers(reader, *layers, *motion);
     motion.reset();
 }
 
@@ -38,6 +38,7 @@ void move(Reader& reader, const Span& place, ObjectDraft& draft, const Transform
         append(object.transform, t);
         require_finite(reader, place, *object.transform);
     }
+    if (object.uv_mapping) return;  // its surface takes its coordinates along
     if (object.texture) append(draft.texture_motion, t);
     if (object.interior_texture) append(draft.interior_texture_motion, t);
 }
@@ -159,7 +160,7 @@ bool accept_other(Reader& reader, ObjectDraft& draft, const ObjectSyntax& syntax
         reader.skip_block();
     } else if (next.is(Word::uv_mapping)) {
         reader.take();
-        if (reader.parse_bool_or(true)) reader.unmodelled(next.span, "uv_mapping");
+        draft.object().uv_mapping = reader.parse_bool_or(true);
     } else if (next.is(Word::sturm) || next.is(Word::hierarchy)) {
         const bool takes = syntax.shape && (next.is(Word::sturm) ? syntax.shape->takes_sturm : syntax.shape->takes_hierarchy);
         const bool known = takes || (!syntax.shape && syntax.set == Word::none);

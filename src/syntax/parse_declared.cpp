@@ -1,5 +1,6 @@
 // The blocks that `#declare NAME =` may name.
 #include "syntax/blocks.h"
+#include "syntax/parse_pattern.h"
 #include "syntax/texture_layers.h"
 #include "syntax/unmodelled.h"
 
@@ -18,15 +19,8 @@ TextureLayers parse_layers(Reader& reader) {
 /// Blocks whose value is not modelled. The name then stands for nothing, which only what is skipped as well can use.
 bool is_unmodelled_value(Word w) {
     switch (w) {
-        case Word::color_map:
-        case Word::colour_map:
         case Word::density:
         case Word::density_map:
-        case Word::normal:
-        case Word::normal_map:
-        case Word::pigment_map:
-        case Word::slope_map:
-        case Word::texture_map:
             return true;
         default:
             return is_unmodelled_item(w);
@@ -39,6 +33,23 @@ std::optional<Value> parse_material_block(Reader& reader) {
     if (reader.accept(Word::texture)) return parse_layers(reader);
     if (reader.accept(Word::interior)) return parse_interior(reader, Interior{});
     if (reader.accept(Word::material)) return parse_material(reader, {});
+    if (reader.accept(Word::normal)) return *parse_normal(reader, std::get<PlainTexture>(reader.default_texture()->back().content).normal);
+    return std::nullopt;
+}
+
+std::optional<Value> parse_map_block(Reader& reader) {
+    if (reader.accept(Word::color_map) || reader.accept(Word::colour_map)) return parse_color_map(reader);
+    if (reader.accept(Word::pigment_map)) return parse_pigment_map(reader);
+    if (reader.accept(Word::normal_map)) return parse_normal_map(reader);
+    if (reader.accept(Word::texture_map)) return parse_texture_map(reader);
+    if (reader.accept(Word::slope_map)) return parse_slope_map(reader);
+    return std::nullopt;
+}
+
+std::optional<Value> parse_surroundings(Reader& reader) {
+    if (reader.accept(Word::sky_sphere)) return parse_sky_sphere(reader);
+    if (reader.accept(Word::fog)) return parse_fog(reader);
+    if (reader.accept(Word::rainbow)) return parse_rainbow(reader);
     return std::nullopt;
 }
 
@@ -51,6 +62,8 @@ std::optional<Value> parse_declared_block(Reader& reader) {
     }
     if (next.kind != Token::Kind::word) return std::nullopt;
     if (std::optional<Value> value = parse_material_block(reader)) return value;
+    if (std::optional<Value> value = parse_map_block(reader)) return value;
+    if (std::optional<Value> value = parse_surroundings(reader)) return value;
     if (reader.accept(Word::camera)) return parse_camera(reader);
     if (next.is(Word::transform)) return accept_transform(reader);
     if (std::optional<Placeable> object = accept_object(reader))

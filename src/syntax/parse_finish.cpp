@@ -77,6 +77,22 @@ void parse_reflection(Reader& reader, Reflection& reflection) {
     reader.end_block();
 }
 
+/// The amount, then further items.
+Irid parse_irid(Reader& reader, Irid irid) {
+    reader.begin_block("irid");
+    irid.amount = reader.parse_float();
+    for (;;) {
+        if (reader.accept(Word::thickness))
+            irid.thickness = reader.parse_float();
+        else if (reader.accept(Word::turbulence))
+            irid.turbulence = reader.parse_float();
+        else
+            break;
+    }
+    reader.end_block();
+    return irid;
+}
+
 bool accept_light_item(Reader& reader, Finish& finish, Albedos& albedos) {
     if (reader.accept(Word::ambient)) {
         finish.ambient = parse_rgb(reader);
@@ -104,6 +120,10 @@ bool accept_light_item(Reader& reader, Finish& finish, Albedos& albedos) {
         finish.reflection.exponent = reader.parse_float();
     } else if (reader.accept(Word::conserve_energy)) {
         finish.conserve_energy = true;
+    } else if (reader.accept(Word::crand)) {
+        finish.crand = reader.parse_float();
+    } else if (reader.accept(Word::irid)) {
+        finish.irid = parse_irid(reader, finish.irid.value_or(Irid{}));
     } else {
         return false;
     }
@@ -133,9 +153,7 @@ bool accept_legacy_item(Reader& reader, Finish& finish) {
 
 bool accept_unmodelled_item(Reader& reader) {
     const Token next = reader.peek();
-    if (reader.accept(Word::crand)) {
-        if (reader.parse_float() != 0.0) reader.unmodelled(next.span, "crand");
-    } else if (reader.accept(Word::irid) || reader.accept(Word::subsurface)) {
+    if (reader.accept(Word::subsurface)) {
         skip_unmodelled_block(reader, next);
     } else {
         return false;

@@ -97,6 +97,22 @@ void parse_background(Reader& reader) {
     reader.scene().background = color;
 }
 
+bool accept_surroundings(Reader& reader) {
+    Scene& scene = reader.scene();
+    if (reader.accept(Word::sky_sphere)) {
+        const bool another = scene.sky_sphere.has_value();
+        scene.sky_sphere = parse_sky_sphere(reader);
+        if (another) reader.warn(reader.last_place(), "Only one sky-sphere allowed (last one will be used).");
+    } else if (reader.accept(Word::fog)) {
+        scene.fogs.push_back(parse_fog(reader));
+    } else if (reader.accept(Word::rainbow)) {
+        scene.rainbows.push_back(parse_rainbow(reader));
+    } else {
+        return false;
+    }
+    return true;
+}
+
 void parse_statement(Reader& reader, Placed& placed) {
     Scene& scene = reader.scene();
     if (accept_choices(reader, scene.options)) return;
@@ -117,6 +133,8 @@ void parse_statement(Reader& reader, Placed& placed) {
         parse_default(reader);
     } else if (reader.accept(Word::global_settings)) {
         parse_global_settings(reader);
+    } else if (accept_surroundings(reader)) {
+        return;
     } else if (next.kind == Token::Kind::word && is_unmodelled_item(next.word)) {
         reader.take();
         skip_unmodelled_block(reader, next);

@@ -40,6 +40,15 @@ void parse_max_trace_level(Reader& reader, GlobalSettings& settings) {
     settings.max_trace_level = std::clamp(level, 1, highest_trace_level);
 }
 
+/// Each wave costs at every point, so there is an end.
+int parse_number_of_waves(Reader& reader) {
+    constexpr int most_waves = 10'000;
+    const int waves = parse_int(reader);
+    if (waves < 1) reader.warn(reader.peek().span, "Illegal Value: number_of_waves must be greater than 0. Changed to 1.");
+    if (waves > most_waves) reader.fail(reader.last_place(), fmt::format("number_of_waves is at most {}.", most_waves));
+    return std::max(waves, 1);
+}
+
 bool accept_modelled(Reader& reader, GlobalSettings& settings) {
     const Token next = reader.peek();
     if (reader.accept(Word::assumed_gamma)) {
@@ -50,6 +59,15 @@ bool accept_modelled(Reader& reader, GlobalSettings& settings) {
         parse_max_trace_level(reader, settings);
     } else if (reader.accept(Word::adc_bailout)) {
         settings.adc_bailout = reader.parse_float();
+    } else if (reader.accept(Word::irid_wavelength)) {
+        settings.irid_wavelength = parse_rgb(reader);
+    } else if (reader.accept(Word::number_of_waves)) {
+        settings.number_of_waves = parse_number_of_waves(reader);
+    } else if (reader.accept(Word::noise_generator)) {
+        const int generator = parse_int(reader);
+        if (generator < 1 || generator > 3)
+            reader.fail(reader.peek().span, "Value for noise_generator in global_settings must be 1, 2, or 3.");
+        settings.noise_generator = static_cast<NoiseGenerator>(generator);
     } else {
         return false;
     }
@@ -63,15 +81,7 @@ void parse_charset(Reader& reader) {
 /// Settings that change nothing of what is modelled: read, with POV-Ray's remarks.
 bool accept_without_effect(Reader& reader) {
     const Token next = reader.peek();
-    if (reader.accept(Word::number_of_waves)) {
-        if (parse_int(reader) < 1) reader.warn(reader.peek().span, "Illegal Value: number_of_waves must be greater than 0. Changed to 1.");
-    } else if (reader.accept(Word::noise_generator)) {
-        const int generator = parse_int(reader);
-        if (generator < 1 || generator > 3)
-            reader.fail(reader.peek().span, "Value for noise_generator in global_settings must be 1, 2, or 3.");
-    } else if (reader.accept(Word::irid_wavelength)) {
-        parse_rgb(reader);
-    } else if (reader.accept(Word::charset)) {
+    if (reader.accept(Word::charset)) {
         parse_charset(reader);
     } else if (reader.accept(Word::mm_per_unit)) {
         reader.parse_float();

@@ -1,6 +1,7 @@
 // texture { }, material { } and #default.
 #include "syntax/blocks.h"
 #include "syntax/parameters.h"
+#include "syntax/parse_pattern.h"
 #include "syntax/texture_layers.h"
 #include "syntax/unmodelled.h"
 
@@ -8,22 +9,60 @@ namespace rt {
 
 namespace {
 
-/// `checker texture { } texture { }`; a cell that is not stated is the default texture.
-CheckerTexture parse_checker_texture(Reader& reader) {
+/// `texture { }` of each cell; one that is not stated is the default texture.
+TextureMap parse_cells(Reader& reader, PatternKind kind) {
     const Span place = reader.last_place();
-    std::optional<TextureLayers> cells[2];
-    for (std::optional<TextureLayers>& cell : cells) {
+    TextureMap map;
+    for (int i = 0; i < cell_count(kind); ++i) {
+        std::optional<TextureLayers> cell;
         if (reader.accept(Word::texture)) {
             parse_texture(reader, cell);
             reader.accept_comma();
         }
         layers_or_default(reader, cell);
         reader.count_scene_nodes(place, (*cell)->size() - 1);
+        map.values.push_back(i);
+        map.textures.push_back(*cell);
     }
-    return {{**cells[0], **cells[1]}, {}};
+    return map;
 }
 
-/// tiles, material_map or a pattern with a texture_map: reported and skipped; true if one comes next.
+/// A pattern of textures with its modifiers, if one comes next.
+bool parse_pattern_texture(Reader& reader, std::optional<TextureLayers>& layers) {
+    const Span place = reader.peek().span;
+    PatternTexture texture;
+    if (!accept_pattern(reader, texture.pattern, PatternUse::texture)) return false;
+    const PatternKind kind = texture.pattern.pattern.kind;
+    bool has_map = has_cells(kind);
+    if (has_map) texture.map = parse_cells(reader, kind);
+    for (;;) {
+        const Token next = reader.peek();
+        if (reader.accept(Word::texture_map)) {
+            if (has_cells(kind)) reader.fail(next.span, "Cannot use texture_map with this pattern type.");
+            texture.map = parse_texture_map(reader);
+            has_map = true;
+        } else if (!accept_pattern_modifier(reader, texture.pattern, PatternUse::texture)) {
+            break;
+        }
+    }
+    if (!has_map)
+        reader.fail(reader.peek().span,
+                    kind == PatternKind::average ? "Average must have map." : "Patterned texture must have texture_map.");
+    layers = std::vector<Texture>{Texture{Shared<PatternTexture>(std::move(texture))}};
+    limit_size(reader, place, tree_size(**layers));
+    return true;
+}
+
+void set_uv_mapping(Reader& reader, TextureLayers& layers) {
+    for (Texture& layer : edit_all(reader, layers)) {
+        if (auto* plain = std::get_if<PlainTexture>(&layer.content))
+            plain->uv_mapping = true;
+        else
+            std::get<Shared<PatternTexture>>(layer.content).edit().pattern.uv_mapping = true;
+    }
+}
+
+/// tiles, material_map or a pattern that is not modelled: reported and skipped; true if one comes next.
 bool skip_unmodelled_texture(Reader& reader) {
     const Token next = reader.peek();
     if (next.kind != Token::Kind::word) return false;
@@ -66,20 +105,21 @@ bool accept_material_part(Reader& reader, MaterialValue& material) {
 
 }  // namespace
 
-void parse_texture(Reader& reader, std::optional<TextureLayers>& layers) {
-    reader.begin_block("texture");
-    std::optional<TextureLayers> own;
+void parse_texture_body(Reader& reader, std::optional<TextureLayers>& own) {
+    const bool uv = reader.accept(Word::uv_mapping);
     if (const TextureLayers* declared = reader.accept_declared<TextureLayers>()) own = *declared;
     if (own && is_patterned(*own)) {
         parse_transforms(reader, own);
-    } else if (reader.accept(Word::checker)) {
-        const Span place = reader.last_place();
-        own = std::vector<Texture>{Texture{parse_checker_texture(reader)}};
-        limit_size(reader, place, tree_size(**own));
-        parse_transforms(reader, own);
-    } else if (!skip_unmodelled_texture(reader)) {
+    } else if (own || (!skip_unmodelled_texture(reader) && !parse_pattern_texture(reader, own))) {
         parse_plain_parts(reader, own);
     }
+    if (uv) set_uv_mapping(reader, layers_or_default(reader, own));
+}
+
+void parse_texture(Reader& reader, std::optional<TextureLayers>& layers) {
+    reader.begin_block("texture");
+    std::optional<TextureLayers> own;
+    parse_texture_body(reader, own);
     const Span place = reader.peek().span;
     if (reader.at_block_end()) stack(reader, place, layers, layers_or_default(reader, own));
     reader.end_block();

@@ -25,6 +25,14 @@ struct FrameValues {
     double initial_clock = 0.0, final_clock = 0.0, clock_delta = 0.0;
 };
 
+/// A picture as its file has it.
+struct PictureFile {
+    int width = 0, height = 0, channels = 0;  ///< 1..4 channels: grey, grey and alpha, RGB, RGB and alpha
+    int max_value = 255;                      ///< of whole numbers; 0: floats, linear light
+    std::vector<float> values;                ///< interleaved, row by row from the top
+    std::optional<double> gamma;              ///< the exponent that decodes it, where the file says so; else sRGB's curve does
+};
+
 struct ParseOptions {
     std::vector<std::string> library_paths;  ///< searched for includes after the including file's folder and the current one
     std::vector<std::pair<std::string, std::string>> declares;  ///< Declare=ID=value: a float, else a string
@@ -56,6 +64,8 @@ struct ParseOptions {
     std::size_t max_scene_nodes = 2'000'000;
     /// Where the text of an included path comes from, empty if there is none; unset: the file system.
     std::function<std::optional<std::string>(const std::string& path)> read_include;
+    /// The picture at a path, empty if there is no such file; throws OptionError for one that cannot be read. Unset: there are none.
+    std::function<std::optional<PictureFile>(const std::string& path)> read_picture;
 };
 
 /// Reads `file` (its path is also its name in messages). Throws SceneError with POV-Ray's line, excerpt and caret; LimitError when a

@@ -71,6 +71,11 @@ public:
     Vec2 parse_vector2();
     Number parse_condition();  ///< any size; comparisons and choices need no parentheses: what POV-Ray reads where it expects a colour
     std::string parse_string();
+    /// `function { }` of x, y and z after its word; none where what it is made of is not modelled.
+    std::shared_ptr<const Function> parse_pattern_function();
+    /// A file that the scene names, looked for as included files are; empty if there is none. Throws OptionError for what is no picture.
+    std::optional<PictureFile> find_picture(std::string_view name);
+    std::optional<std::string> find_bytes(std::string_view name);
     void accept_comma();  ///< commas between parameters are optional
 
     // --- names

@@ -34,7 +34,7 @@ public:
             return;
         }
         const TextureLayers before = *layers;
-        transform_layers(reader_, *layers, t_);
+        move_layers(reader_, *layers, t_);
         known_.emplace(before.identity(), Pair{before, *layers});
     }
 

@@ -6,6 +6,7 @@
 
 #include "syntax/blocks.h"
 #include "syntax/parameters.h"
+#include "syntax/parse_pattern.h"
 #include "syntax/unmodelled.h"
 
 namespace rt {
@@ -60,44 +61,99 @@ std::vector<Texture>& edit_all(Reader& reader, TextureLayers& layers) {
     return all;
 }
 
-void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t) {
-    for (Texture& layer : edit_all(reader, layers)) {
-        if (auto* plain = std::get_if<PlainTexture>(&layer.content))
-            append(plain->pigment.transform, t);
+namespace {
+
+/// Pigments and normals that are seen at (u, v, 0) stay; whole textures do where it is their `object` that moves.
+void transform_all(std::vector<Texture>& layers, const Transform& t, bool object) {
+    const auto move = [&](StatedPattern& stated) {
+        if (!stated.uv_mapping) append(stated.pattern, t);
+    };
+    for (Texture& layer : layers) {
+        auto* plain = std::get_if<PlainTexture>(&layer.content);
+        if (!plain) {
+            StatedPattern& stated = std::get<Shared<PatternTexture>>(layer.content).edit().pattern;
+            if (!(object && stated.uv_mapping)) append(stated.pattern, t);
+            continue;
+        }
+        if (object && plain->uv_mapping) continue;
+        if (auto* pattern = std::get_if<Shared<PatternPigment>>(&plain->pigment.content))
+            move(pattern->edit().pattern);
         else
-            append(std::get<CheckerTexture>(layer.content).transform, t);
+            append(plain->pigment.transform, t);
+        if (plain->normal) move(plain->normal->edit().pattern);
     }
 }
 
+}  // namespace
+
+void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t) { transform_all(edit_all(reader, layers), t, false); }
+
+void move_layers(Reader& reader, TextureLayers& layers, const Transform& t) { transform_all(edit_all(reader, layers), t, true); }
+
 bool is_patterned(const TextureLayers& layers) {
-    return !layers->empty() && std::holds_alternative<CheckerTexture>(layers->back().content);
+    return !layers->empty() && std::holds_alternative<Shared<PatternTexture>>(layers->back().content);
 }
 
 bool has_any_pattern(const TextureLayers& layers) {
     return std::any_of(layers->begin(), layers->end(), [](const Texture& layer) {
         const auto* plain = std::get_if<PlainTexture>(&layer.content);
-        return !plain || !std::holds_alternative<PigmentColor>(plain->pigment.content);
+        return !plain || plain->normal || !std::holds_alternative<PigmentColor>(plain->pigment.content);
     });
 }
 
 Pigment default_pigment(Reader& reader) { return std::get<PlainTexture>(reader.default_texture()->back().content).pigment; }
 
-TreeSize tree_size(const Pigment& pigment) {
+TreeSize tree_size(const PigmentMap& map) {
     TreeSize whole{1, 0};
-    if (const auto* checker = std::get_if<CheckerPigment>(&pigment.content))
-        for (const Pigment& cell : checker->cells) add_cell(whole, tree_size(cell));
+    for (const Pigment& entry : map.pigments) add_cell(whole, tree_size(entry));
     return whole;
 }
 
+TreeSize tree_size(const NormalMap& map) {
+    TreeSize whole{1, 0};
+    for (const Normal& entry : map.normals) add_cell(whole, tree_size(entry));
+    return whole;
+}
+
+TreeSize tree_size(const TextureMap& map) {
+    TreeSize whole;
+    for (const TextureLayers& entry : map.textures) add_cell(whole, tree_size(*entry));
+    return whole;
+}
+
+namespace {
+
+/// A pattern over colours weighs as much as three pigments, however many colours its map has: maps are shared.
+constexpr TreeSize pattern_of_colors{3, 1};
+
+/// With the pigment that it may be computed from.
+TreeSize with_source(TreeSize size, const StatedPattern& stated) {
+    if (const auto* source = std::get_if<Shared<Pigment>>(&stated.source)) add_cell(size, tree_size(**source));
+    return size;
+}
+
+}  // namespace
+
+TreeSize tree_size(const Pigment& pigment) {
+    const auto* stated = std::get_if<Shared<PatternPigment>>(&pigment.content);
+    if (!stated) return {1, 0};
+    const auto* map = std::get_if<Shared<PigmentMap>>(&(*stated)->map);
+    return with_source(map ? tree_size(**map) : pattern_of_colors, (*stated)->pattern);
+}
+
+TreeSize tree_size(const Normal& normal) { return with_source(normal.map ? tree_size(**normal.map) : TreeSize{1, 0}, normal.pattern); }
+
 TreeSize tree_size(const std::vector<Texture>& layers) {
     TreeSize whole;
+    const auto add = [&](const TreeSize& size) { whole = {whole.nodes + size.nodes, std::max(whole.depth, size.depth)}; };
     for (const Texture& layer : layers) {
-        TreeSize size;
-        if (const auto* plain = std::get_if<PlainTexture>(&layer.content))
-            size = tree_size(plain->pigment);
-        else
-            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(layer.content).cells) add_cell(size, tree_size(cell));
-        whole = {whole.nodes + size.nodes, std::max(whole.depth, size.depth)};
+        if (const auto* plain = std::get_if<PlainTexture>(&layer.content)) {
+            add(tree_size(plain->pigment));
+            if (plain->normal && (*plain->normal)->map) add(tree_size(**plain->normal));
+        } else {
+            const PatternTexture& patterned = *std::get<Shared<PatternTexture>>(layer.content);
+            add(with_source(tree_size(*patterned.map), patterned.pattern));
+        }
     }
     return whole;
 }
@@ -122,9 +178,9 @@ bool accept_layer_part(Reader& reader, std::optional<TextureLayers>& layers) {
         reader.take();
         finish = parse_finish(reader, std::move(finish));
     } else if (next.is(Word::normal)) {
-        edit_top(reader, layers_or_default(reader, layers));
+        std::optional<Shared<Normal>>& normal = edit_top(reader, layers_or_default(reader, layers)).normal;
         reader.take();
-        skip_unmodelled_block(reader, next);
+        normal = parse_normal(reader, normal);
     } else {
         return false;
     }

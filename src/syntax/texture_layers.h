@@ -14,16 +14,23 @@ std::vector<Texture>& edit_all(Reader& reader, TextureLayers& layers);
 /// Stacks `upper` on what is there. Fails at `place` if either is patterned.
 void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& layers, const TextureLayers& upper);
 void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t);
-bool is_patterned(const TextureLayers& layers);     ///< a checker of textures
+/// What moves their object: surfaces take their own coordinates along.
+void move_layers(Reader& reader, TextureLayers& layers, const Transform& t);
+bool is_patterned(const TextureLayers& layers);     ///< a pattern of textures
 bool has_any_pattern(const TextureLayers& layers);  ///< does it look different when it is moved?
 Pigment default_pigment(Reader& reader);
 
-/// How large a tree of pigments or textures is. A pattern of pigments is a node besides those of its cells, one of textures is none.
+/// How large a tree of pigments, normals or textures is. A pattern of pigments or normals is a node besides those of its entries, one of
+/// textures is none.
 struct TreeSize {
     std::size_t nodes = 0;
     std::size_t depth = 0;  ///< patterns inside patterns
 };
 TreeSize tree_size(const Pigment& pigment);
+TreeSize tree_size(const PigmentMap& map);
+TreeSize tree_size(const Normal& normal);
+TreeSize tree_size(const NormalMap& map);
+TreeSize tree_size(const TextureMap& map);
 TreeSize tree_size(const std::vector<Texture>& layers);
 /// Throws LimitError at `place` if what was put together there is too large.
 void limit_size(Reader& reader, const Span& place, const TreeSize& size);

@@ -12,28 +12,13 @@ constexpr std::initializer_list<Word> shapes{
     Word::light_group,   Word::ovus, Word::parametric,   Word::poly,           Word::polynomial, Word::prism,         Word::quadric,
     Word::quartic,       Word::sor,  Word::sphere_sweep, Word::superellipsoid, Word::text};
 
-constexpr std::initializer_list<Word> patterns{
-    Word::agate,           Word::aoi,      Word::average, Word::boxed,       Word::bozo,         Word::brick,         Word::bumps,
-    Word::cells,           Word::crackle,  Word::cubic,   Word::cylindrical, Word::density_file, Word::dents,         Word::facets,
-    Word::function,        Word::gradient, Word::granite, Word::hexagon,     Word::image_map,    Word::image_pattern, Word::julia,
-    Word::leopard,         Word::magnet,   Word::mandel,  Word::marble,      Word::object,       Word::onion,         Word::pavement,
-    Word::pigment_pattern, Word::planar,   Word::quilted, Word::radial,      Word::ripples,      Word::slope,         Word::spherical,
-    Word::spiral1,         Word::spiral2,  Word::spotted, Word::square,      Word::tiling,       Word::triangular,    Word::uv_mapping,
-    Word::waves,           Word::wood,     Word::wrinkles};
+constexpr std::initializer_list<Word> patterns{Word::pavement, Word::tiling};
 
-constexpr std::initializer_list<Word> modifiers{
-    Word::agate_turb,    Word::color_map,   Word::colour_map,  Word::control0,  Word::control1,        Word::cubic_wave,   Word::exponent,
-    Word::frequency,     Word::interpolate, Word::lambda,      Word::map_type,  Word::noise_generator, Word::octaves,      Word::omega,
-    Word::once,          Word::phase,       Word::pigment_map, Word::poly_wave, Word::ramp_wave,       Word::scallop_wave, Word::sine_wave,
-    Word::triangle_wave, Word::turbulence,  Word::use_alpha,   Word::warp};
-
-constexpr std::initializer_list<Word> items{Word::fog, Word::media, Word::rainbow, Word::sky_sphere};
+constexpr std::initializer_list<Word> items{Word::media};
 
 /// Features that are worth a line of their own where they stand inside something that is skipped as a whole.
-constexpr std::initializer_list<Word> inner_features{
-    Word::bump_map,   Word::crand,        Word::density,     Word::dispersion, Word::function,   Word::image_map,   Word::irid,
-    Word::looks_like, Word::material_map, Word::media,       Word::normal,     Word::normal_map, Word::pigment_map, Word::projected_through,
-    Word::slope_map,  Word::texture_list, Word::texture_map, Word::turbulence, Word::uv_mapping, Word::warp};
+constexpr std::initializer_list<Word> inner_features{Word::density, Word::dispersion,        Word::looks_like,  Word::material_map,
+                                                     Word::media,   Word::projected_through, Word::texture_list};
 
 bool contains(std::initializer_list<Word> words, Word w) { return std::find(words.begin(), words.end(), w) != words.end(); }
 
@@ -46,8 +31,7 @@ void report_inner(Reader& reader, const Token& token) {
 }  // namespace
 
 bool is_unmodelled_shape(Word w) { return contains(shapes, w); }
-bool is_unmodelled_pattern(Word w) { return contains(patterns, w); }
-bool is_pattern_modifier(Word w) { return contains(modifiers, w); }
+bool is_unmodelled_pattern(Word w) { return w == Word::object || contains(patterns, w); }
 bool is_unmodelled_item(Word w) { return contains(items, w); }
 
 void skip_unmodelled_block(Reader& reader, const Token& word) {

@@ -7,7 +7,6 @@ namespace rt {
 
 bool is_unmodelled_shape(Word w);    ///< union, blob, height_field ...: blocks that stand where an object may
 bool is_unmodelled_pattern(Word w);  ///< gradient, bozo, image_map ...: what may begin a pigment besides a colour and checker
-bool is_pattern_modifier(Word w);    ///< turbulence, color_map ...: no effect on a plain colour
 bool is_unmodelled_item(Word w);     ///< fog, sky_sphere ...: top-level blocks that are no objects
 
 /// Reports `word` (its token was just taken), then skips its block; features inside are reported too.

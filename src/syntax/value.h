@@ -48,6 +48,8 @@ struct MacroValue {
     bool operator==(const MacroValue&) const = default;
 };
 
+using SlopeMap = std::vector<SlopeEntry>;
+
 struct Variable;
 /// Where a value is kept. A macro's parameter is the caller's variable itself.
 using VariablePtr = std::shared_ptr<Variable>;
@@ -77,7 +79,8 @@ struct UnmodelledValue {
 };
 
 using Value = std::variant<Number, std::string, Pigment, Finish, TextureLayers, Shared<Interior>, MaterialValue, ObjectValue, Camera, Light,
-                           Transform, MacroValue, ArrayValue, FunctionValue, FileValue, UnmodelledValue>;
+                           Transform, MacroValue, Normal, Shared<ColorMap>, Shared<PigmentMap>, Shared<NormalMap>, Shared<TextureMap>,
+                           Shared<SlopeMap>, SkySphere, Fog, Rainbow, ArrayValue, FunctionValue, FileValue, UnmodelledValue>;
 
 struct Variable {
     Value value;

@@ -133,9 +133,7 @@ CourseRecursion::Point CourseRecursion::point_at(const Ray& ray, const Hit& hit)
 
 course::Surface CourseRecursion::surface_of(const Hit& hit, const Vec3& at) {
     const CompiledObject& object = world_.objects[hit.object];
-    layers_.clear();
-    sample_layers(world_.materials[object.material].layers, at, layers_);
-    const LayerSample& top = layers_.front();
+    const LayerSample top = top_layer(world_.materials[object.material].layers, at);
     const Finish& finish = top.finish->finish;
     return {.pigment = top.color.rgb,
             .filter = top.color.filter,

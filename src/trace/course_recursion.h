@@ -59,8 +59,7 @@ private:
 
     const World& world_;
     CourseRules rules_;
-    std::vector<LayerSample> layers_;  ///< scratch
-    std::vector<Blocker> blockers_;    ///< by light
+    std::vector<Blocker> blockers_;  ///< by light
     RayLog* log_ = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include "shading/optics.h"
 #include "shading/povray_finish.h"
 #include "trace/footprint.h"
+#include "trace/grain.h"
 
 namespace rt {
 namespace {
@@ -53,6 +54,19 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
 
 void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                       LocalLight& result, RayNode* log) {
+    if (!world_.features.normals) return light_layers(at, layers, inside, result, log);
+    // Layers that share a normal share the shadow rays.
+    const auto normal_of = [&](const ActiveLayer& layer) { return layer.bumped ? layer.normal : at.normal; };
+    for (std::size_t first = 0, end = 0; first < layers.size(); first = end) {
+        SurfacePoint bumped = at;
+        bumped.normal = normal_of(layers[first]);
+        for (end = first + 1; end < layers.size() && normal_of(layers[end]) == bumped.normal;) ++end;
+        light_layers(bumped, layers.subspan(first, end - first), inside, result, log);
+    }
+}
+
+void Lighting::light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
+                            LocalLight& result, RayNode* log) {
     const View shared = view(at, layers, inside, log);
     if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.unshadowed) return;
     for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
@@ -116,10 +130,16 @@ void Lighting::add(const View& view, const LightSource& source, const LightRay& 
     const double cos = std::fabs(n_dot_l);
     for (const ActiveLayer& layer : view.layers) {
         const Finish& finish = layer.finish->finish;
-        const Rgb arriving = layer.above * light;
+        Rgb arriving = layer.above * light;
+        if (world_.features.grain && finish.irid)
+            arriving *= film_factor(*finish.irid, world_, view.at.point, n_dot_l, dot(view.at.normal, view.at.direction));
         double diffuse = std::fmax(0.0, front ? finish.diffuse : finish.diffuse_back) * layer.opacity;
         if (general_) diffuse *= diffuse_factor(layer.finish->model, view.seen, l, cos);
-        if (diffuse != 0.0 && cos > 0.0) result.diffuse += diffuse * diffuse_cosine(cos, finish.brilliance) * (layer.color.rgb * arriving);
+        if (diffuse != 0.0 && cos > 0.0) {
+            double strength = diffuse * diffuse_cosine(cos, finish.brilliance);
+            if (world_.features.grain && finish.crand != 0.0) strength = std::fmax(0.0, strength - finish.crand * chance_at(view.at.point));
+            result.diffuse += strength * (layer.color.rgb * arriving);
+        }
         if (source.light().shadowless || !view.any_highlight) continue;
         if (front) result.specular += arriving * povray_highlights(view, layer, l, n_dot_l);
         if (general_ && has_highlight(layer.finish->model) && (front || is_ungated(layer.finish->model)))

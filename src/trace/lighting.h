@@ -11,6 +11,8 @@ struct ActiveLayer {
     const SurfaceFinish* finish = nullptr;
     double opacity = 1.0;
     Rgb above{1.0};  ///< what the layers over it let through
+    bool bumped = false;
+    Vec3 normal{0.0};  ///< unit; of a bumped layer, else the surface's counts
 };
 
 /// Radiance towards the viewer, kept apart by kind.
@@ -51,6 +53,8 @@ private:
         ViewedPoint seen{};  ///< where a term of the catalogue asks for it
         RayNode* log = nullptr;
     };
+    void light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
+                      LocalLight& result, RayNode* log);
     View view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, RayNode* log) const;
     bool is_seen(const View& view, double n_dot_l, bool shadowless) const;
     void one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result);

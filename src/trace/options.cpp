@@ -8,6 +8,7 @@ Quality Quality::povray(int n) {
     quality.shadows = n >= 4;
     quality.transmission = n >= 6;
     quality.reflection = n >= 8;
+    quality.normals = n >= 8;
     quality.quick_colors = n <= 5;
     return quality;
 }

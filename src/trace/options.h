@@ -34,6 +34,7 @@ struct Quality {
     bool shadows = true;
     bool transmission = true;
     bool reflection = true;
+    bool normals = true;  ///< else surfaces have no bumps
     bool quick_colors = false;
 
     /// POV-Ray's +Qn, n = 0..11.

@@ -9,7 +9,8 @@ namespace rt {
 void total(RayLog& log) {
     for (std::size_t i = log.nodes.size(); i-- > 0;) {
         RayNode& node = log.nodes[i];
-        node.radiance = node.ambient + node.diffuse + node.specular + node.reflection + node.refraction + node.background;
+        const Rgb found = node.ambient + node.diffuse + node.specular + node.reflection + node.refraction + node.background;
+        node.radiance = node.veil_light + node.veil_left * found;
         if (node.parent == RayNode::none) continue;
         RayNode& parent = log.nodes[node.parent];
         if (node.kind == RayNode::Kind::reflected) {

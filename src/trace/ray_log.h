@@ -42,7 +42,15 @@ struct RayNode {
     std::vector<ShadowAnswer> shadows;
 
     Rgb ambient{0.0}, diffuse{0.0}, specular{0.0}, reflection{0.0}, refraction{0.0}, background{0.0};
+    Rgb veil_light{0.0}, veil_left{1.0};  ///< of fog and rainbows before it: radiance = veil_light + veil_left * the sum of all above
     Rgb radiance{0.0};
+
+    /// The light of one of the textures that are mixed at the surface, by its share; 1 where there is one.
+    void add(double share, const Rgb& own_ambient, const Rgb& own_diffuse, const Rgb& own_specular) {
+        ambient += share * own_ambient;
+        diffuse += share * own_diffuse;
+        specular += share * own_specular;
+    }
 
     /// How the point's own light, its mirror and what lies behind it share `radiance`: said by the course's rules alone.
     struct Shares {

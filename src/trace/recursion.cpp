@@ -5,12 +5,15 @@
 #include "shading/optics.h"
 #include "shading/povray_finish.h"
 #include "trace/environment.h"
+#include "trace/grain.h"
 
 namespace rt {
 namespace {
 
 /// Transparent surfaces that one path passes; behind the last one it is dark. Only absurd scenes have more.
 constexpr int most_crossings = 10000;
+/// Mixtures of transparent textures on one way, each of which doubles the rays; behind so many their shares count for the weights.
+constexpr int free_mixtures = 10;
 
 struct Reflectivity {
     Rgb rgb{0.0};
@@ -39,6 +42,17 @@ Reflectivity reflectivity(const LayerSample& layer, double cos, double fresnel_e
     return r;
 }
 
+/// Mirrored at a bumped normal; where that leads into the surface, at the surface's own, or from it.
+Vec3 reflect_bumped(const Vec3& direction, const Vec3& bumped, const Vec3& normal) {
+    if (bumped == normal) return reflect(direction, normal);
+    Vec3 r = reflect(direction, bumped);
+    if (dot(r, normal) < 0.0) r = dot(r, bumped) < 0.0 ? reflect(direction, normal) : r - 2.0 * dot(r, normal) * normal;
+    return unit(r);
+}
+
+/// The side of a bumped normal that a ray meets.
+Vec3 facing(const Vec3& normal, const Vec3& direction) { return dot(normal, direction) > 0.0 ? -normal : normal; }
+
 /// Terms guard themselves against NaN; what is left comes from products of infinities with 0, so it is an overflow.
 double overflowed(double x) { return std::isnan(x) ? infinity : x; }
 
@@ -49,8 +63,9 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       quality_(options.quality),
       rules_(options.distances, world.scene_extent, world.scene_size),
       lighting_(world, options, rules_),
-      layers_at_(world, options.quality.quick_colors),
+      layers_at_(world, {options.quality.quick_colors, options.quality.normals}),
       environment_(options.environment),
+      atmosphere_(world),
       max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, GlobalSettings::highest_trace_level)),
       adc_bailout_(options.adc_bailout.value_or(world.adc_bailout)) {
     if (options.specular_aa && options.shading == ShadingModel::general) footprints_.emplace(world, rules_, *options.specular_aa);
@@ -80,7 +95,7 @@ void Recursion::camera_rays(std::span<const Ray> rays, std::span<Radiance> light
 void Recursion::start(const Ray& ray, const FirstHit* first, Radiance& result) {
     ++counts.camera;
     const Path path{.ray = ray};
-    if (first != nullptr && first->hit == nullptr && path.weight >= adc_bailout_) {
+    if (first != nullptr && first->hit == nullptr && path.weight >= adc_bailout_ && !world_.features.atmosphere) {
         // Most pixels of many pictures: nothing to prepare, nothing to follow.
         result = {};
         leave_scene(path, result, nullptr);
@@ -128,6 +143,7 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     if (!path.straight) ++path.level;
     Hit searched;
     const Hit* found = known != nullptr ? known->hit : world_.nearest(path.ray, rules_.traced(), path.kind, searched) ? &searched : nullptr;
+    if (world_.features.atmosphere) veil(path, found == nullptr ? infinity : found->shape.t, result, node(at_node));
     if (found == nullptr) {
         leave_scene(path, result, node(at_node));
         return false;
@@ -143,10 +159,22 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
                     .crossing = {.interior = object.interior},
                     .node = at_node};
     if (material.can_transmit || material.can_reflect) surface.crossing = meet(world_, inside(), object.interior);
-    resolve_layers(surface, path.weight);
+    const SeenSurface seen{*found, surface.at.point, surface.at.normal, surface.at.direction};
+    const SampledTexture& texture = layers_at_.at(object, surface.at.inside, seen);
+    if (texture.shares.size() > 1) {
+        mix(surface, SampledTexture(texture), *found, path, result);
+        return false;
+    }
+    return shade(surface, texture.layers, *found, path, result, at_node);
+}
+
+/// Adds the light of a surface that shows `layers`; true if the path goes on behind it.
+bool Recursion::shade(Surface& surface, std::span<const LayerSample> layers, const Hit& hit, Path& path, Radiance& result,
+                      std::uint32_t& at_node) {
+    resolve_layers(surface, layers, path.weight);
     if (footprints_ && path.level == 1 && !path.straight)  // the camera's ray itself
-        surface.at.footprint = footprints_->around(path.ray, *found, surface.at, std::span(layers_).subspan(surface.first_layer));
-    if (RayNode* record = node(at_node)) log_surface(*record, surface, *found);
+        surface.at.footprint = footprints_->around(path.ray, hit, surface.at, std::span(layers_).subspan(surface.first_layer));
+    if (RayNode* record = node(at_node)) log_surface(*record, surface, hit);
 
     result.rgb += path.filter * local_light(surface);
     const bool goes_on = pass(surface, path, result, at_node);
@@ -155,10 +183,47 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     return goes_on;
 }
 
+/// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light.
+void Recursion::mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, const Path& path, Radiance& result) {
+    const std::vector<std::uint32_t> inside(interiors_.begin() + static_cast<std::ptrdiff_t>(first_interior_), interiors_.end());
+    std::size_t first = 0;
+    for (const TextureShare& share : texture.shares) {
+        Path branch = path;
+        branch.filter *= share.weight;
+        branch.transmittance *= share.weight;
+        if (++branch.mixtures > free_mixtures) branch.weight *= share.weight;
+        Surface one = surface;
+        one.share = share.weight;
+        std::uint32_t at_node = surface.node;
+        bool goes_on = shade(one, std::span(texture.layers).subspan(first, share.end - first), hit, branch, result, at_node);
+        for (int i = 0; i < most_crossings && goes_on; ++i) goes_on = step(branch, result, at_node, nullptr);
+        interiors_.resize(first_interior_);
+        interiors_.insert(interiors_.end(), inside.begin(), inside.end());
+        first = share.end;
+    }
+}
+
+/// What fog and rainbows do on the way to the next surface: on all that is found behind them.
+void Recursion::veil(Path& path, double length, Radiance& result, RayNode* record) const {
+    const Veil veil = atmosphere_.along(path.ray, length, inside());
+    result.rgb += path.filter * veil.light;
+    path.filter *= veil.left;
+    path.transmittance *= veil.transmittance;
+    if (record != nullptr) record->veil_light = veil.light, record->veil_left = veil.left;
+}
+
 void Recursion::leave_scene(const Path& path, Radiance& result, RayNode* record) const {
-    const Rgb light = environment_ ? environment_->at(path.ray.direction) : world_.background;
+    Rgb light = world_.background;
+    double seen = environment_ ? 0.0 : world_.background_transmit;
+    if (environment_) {
+        light = environment_->at(path.ray.direction);
+    } else if (!world_.sky.empty()) {
+        double through = 1.0;
+        light = atmosphere_.sky(path.ray.direction, through);
+        seen *= through;
+    }
     result.rgb += path.filter * light;
-    result.transmittance = environment_ ? 0.0 : path.transmittance * world_.background_transmit;
+    result.transmittance += path.transmittance * seen;
     if (record != nullptr) record->end = RayNode::End::background, record->background = light;
 }
 
@@ -178,20 +243,25 @@ SurfacePoint Recursion::surface_point(const Ray& ray, const Hit& hit) const {
 }
 
 /// From the top layer down while any light comes through: opacities, filters, mirrors.
-void Recursion::resolve_layers(Surface& surface, double weight) {
-    for (const LayerSample& layer : layers_at_.at(*surface.object, surface.at.inside, surface.at.point)) {
+void Recursion::resolve_layers(Surface& surface, std::span<const LayerSample> layers, double weight) {
+    surface.top_normal = !layers.empty() && layers.front().bumped ? layers.front().normal : surface.at.normal;
+    for (const LayerSample& layer : layers) {
         if (!(surface.trans > adc_bailout_)) break;
         const PigmentColor& c = layer.color;
-        layers_.push_back({c, layer.finish, opacity(c.rgb, c.filter, c.transmit, world_.legacy_opacity), surface.filter});
+        layers_.push_back(
+            {c, layer.finish, opacity(c.rgb, c.filter, c.transmit, world_.legacy_opacity), surface.filter, layer.bumped, layer.normal});
         Rgb lost(0.0);
         if (layer.finish->reflects) {
-            const double cos = -dot(surface.at.direction, surface.at.normal);
+            const Vec3& normal = layer.bumped ? layer.normal : surface.at.normal;
+            const double cos = -dot(surface.at.direction, normal);
             const bool inside = surface.crossing.leaves() && world_.materials[surface.object->material].can_transmit;
-            const Reflectivity r = reflectivity(layer, cos, surface.crossing.fresnel_eta, inside);
+            Reflectivity r = reflectivity(layer, cos, surface.crossing.fresnel_eta, inside);
+            if (world_.features.grain && layer.finish->finish.irid)
+                r.rgb *= film_factor(*layer.finish->finish.irid, world_, surface.at.point, cos, cos);
             if (quality_.reflection && r.rgb != Rgb(0.0)) {
                 const bool by_finish = layer.finish->model.env == Surroundings::finish;
                 const double exponent = by_finish ? layer.finish->finish.reflection.exponent : 1.0;
-                mirrors_.push_back({r.rgb, weight * surface.trans * r.weight, exponent});
+                mirrors_.push_back({r.rgb, weight * surface.trans * r.weight, exponent, normal});
             }
             if (layer.finish->finish.conserve_energy) lost = r.rgb;
         }
@@ -213,7 +283,7 @@ Rgb Recursion::local_light(const Surface& surface) {
     }
     RayNode* record = node(surface.node);
     lighting_.direct(surface.at, layers, inside(), light, record);
-    if (record != nullptr) record->ambient = light.ambient, record->diffuse = light.diffuse, record->specular = light.specular;
+    if (record != nullptr) record->add(surface.share, light.ambient, light.diffuse, light.specular);
     return light.sum();
 }
 
@@ -222,7 +292,7 @@ bool Recursion::pass(const Surface& surface, Path& path, Radiance& result, std::
     const bool through = world_.materials[surface.object->material].can_transmit && quality_.transmission && quality_.lighting &&
                          surface.trans > adc_bailout_;
     Refraction bent;
-    if (through) bent = refract(surface.at.direction, surface.at.normal, surface.crossing.ratio);
+    if (through) bent = refract(surface.at.direction, facing(surface.top_normal, surface.at.direction), surface.crossing.ratio);
     if (!(through && bent.total)) reflect_layers(surface, path, result);
     if (!through) return false;
 
@@ -235,7 +305,7 @@ bool Recursion::pass(const Surface& surface, Path& path, Radiance& result, std::
         path.kind = RayKind::reflected;
         path.straight = false;
         path.transmittance = 0.0;
-        path.ray.direction = reflect(surface.at.direction, surface.at.normal);
+        path.ray.direction = reflect_bumped(surface.at.direction, surface.top_normal, surface.at.normal);
     } else {
         ++counts.refracted;
         cross(interiors_, first_interior_, surface.crossing);
@@ -247,7 +317,7 @@ bool Recursion::pass(const Surface& surface, Path& path, Radiance& result, std::
     path.ray.origin = rules_.leave(surface.at, path.ray.direction);
     path.filter *= factor;
     const RayNode::Kind kind = bent.total ? RayNode::Kind::total : bent.straight ? RayNode::Kind::straight : RayNode::Kind::refracted;
-    at_node = start_node(at_node, kind, path, factor, 1.0);
+    at_node = start_node(at_node, kind, path, surface.share * factor, 1.0);
     return true;
 }
 
@@ -255,12 +325,14 @@ void Recursion::reflect_layers(const Surface& surface, const Path& path, Radianc
     for (std::size_t i = surface.first_mirror; i < mirrors_.size(); ++i) {
         const Mirror mirror = mirrors_[i];
         ++counts.reflected;
-        const Vec3 direction = reflect(surface.at.direction, surface.at.normal);
+        const Vec3 direction = reflect_bumped(surface.at.direction, mirror.normal, surface.at.normal);
         const Path mirrored{.ray = {rules_.leave(surface.at, direction), direction},
                             .weight = mirror.weight,
                             .level = path.level,
+                            .mixtures = path.mixtures,
                             .kind = RayKind::reflected};
-        const std::uint32_t child = start_node(surface.node, RayNode::Kind::reflected, mirrored, mirror.reflectivity, mirror.exponent);
+        const std::uint32_t child =
+            start_node(surface.node, RayNode::Kind::reflected, mirrored, surface.share * mirror.reflectivity, mirror.exponent);
         const std::size_t end = interiors_.size();
         for (std::size_t k = first_interior_; k < end; ++k) interiors_.push_back(interiors_[k]);
         Radiance light;

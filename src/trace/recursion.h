@@ -1,6 +1,7 @@
 // The recursion of one worker: a ray to the light that comes back along it.
 #pragma once
 
+#include "trace/atmosphere.h"
 #include "trace/footprint.h"
 #include "trace/interior_list.h"
 #include "trace/lighting.h"
@@ -13,6 +14,7 @@ struct Path {
     Ray ray;
     double weight = 1.0;  ///< how much its light can matter to the pixel
     int level = 0;        ///< rays entered before it
+    int mixtures = 0;     ///< of textures on the way
     RayKind kind = RayKind::image;
     bool straight = false;       ///< goes on unbent: not a new level
     Rgb filter{1.0};             ///< on light found from here on
@@ -36,6 +38,7 @@ private:
         Rgb reflectivity;
         double weight = 0.0;
         double exponent = 1.0;
+        Vec3 normal{0.0};
     };
     /// A surface with its layers resolved; ranges of the scratch vectors.
     struct Surface {
@@ -46,6 +49,8 @@ private:
         double trans = 1.0;  ///< its grey value, at most 1
         Crossing crossing{};
         std::uint32_t node = RayNode::none;
+        Vec3 top_normal{0.0};  ///< of the top layer
+        double share = 1.0;    ///< of the light of several textures that are mixed
     };
 
     /// The first surface on a path, where it was searched for beforehand.
@@ -56,12 +61,15 @@ private:
     void trace(Path path, std::size_t first_interior, std::uint32_t first_node, const FirstHit* first, Radiance& result);
     bool step(Path& path, Radiance& result, std::uint32_t& at_node, const FirstHit* known);
     SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
-    void resolve_layers(Surface& surface, double weight);
+    bool shade(Surface& surface, std::span<const LayerSample> layers, const Hit& hit, Path& path, Radiance& result, std::uint32_t& at_node);
+    void mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, const Path& path, Radiance& result);
+    void resolve_layers(Surface& surface, std::span<const LayerSample> layers, double weight);
     Rgb local_light(const Surface& surface);
     bool pass(const Surface& surface, Path& path, Radiance& result, std::uint32_t& at_node);
     void reflect_layers(const Surface& surface, const Path& path, Radiance& result);
     std::uint32_t start_node(std::uint32_t parent, RayNode::Kind kind, const Path& path, const Rgb& factor, double exponent);
     RayNode* node(std::uint32_t index);
+    void veil(Path& path, double length, Radiance& result, RayNode* record) const;
     void leave_scene(const Path& path, Radiance& result, RayNode* record) const;
     void log_surface(RayNode& record, const Surface& surface, const Hit& hit) const;
     std::span<const std::uint32_t> inside() const { return std::span(interiors_).subspan(first_interior_); }
@@ -73,6 +81,7 @@ private:
     SurfaceLayers layers_at_;
     std::optional<Footprints> footprints_;
     std::shared_ptr<const Environment> environment_;
+    Atmosphere atmosphere_;
     int max_level_;
     double adc_bailout_;
 

@@ -1,5 +1,7 @@
 #include "trace/shadow.h"
 
+#include <algorithm>
+
 #include "shading/optics.h"
 #include "trace/area_average.h"
 
@@ -11,6 +13,12 @@ constexpr int most_crossings = 10000;
 /// Larger area lights ask shared corners again instead of remembering them.
 constexpr std::int64_t most_cached_samples = 1 << 20;
 
+/// Only these ask for the normals of layers.
+bool has_caustics(const World& world) {
+    return std::any_of(world.interiors.begin(), world.interiors.end(),
+                       [](const CompiledInterior& medium) { return medium.caustics != 0.0; });
+}
+
 }  // namespace
 
 Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options)
@@ -18,7 +26,7 @@ Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOpti
       rules_(rules),
       tinted_(world.features.transmits && options.shadows == ShadowKind::full),
       opaque_first_(options.distances == Distances::scaled),
-      layers_(world, options.quality.quick_colors),
+      layers_(world, {options.quality.quick_colors, has_caustics(world)}),
       blockers_(world.lights.size()) {}
 
 Rgb Shadows::transmitted(std::uint32_t light_index, const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside,
@@ -51,13 +59,14 @@ Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, st
 
         const Vec3 point = segment.at(hit.shape.t);
         const Vec3 normal = world_.normal(hit, point);
-        light *= filtered(hit, point, ray.direction, normal);
+        const Vec3 facing = dot(normal, ray.direction) > 0.0 ? -normal : normal;
+        light *= filtered(hit, point, ray.direction, facing);
         fade(object.interior, hit.shape.t, light);
         if (light == Rgb(0.0)) return light;
 
         left -= hit.shape.t;
         from = {.point = point,
-                .normal = dot(normal, ray.direction) > 0.0 ? -normal : normal,
+                .normal = facing,
                 .side = world_.flat_side(hit, normal),
                 .direction = ray.direction,
                 .t = hit.shape.t,
@@ -69,16 +78,27 @@ Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, st
 
 Rgb Shadows::filtered(const Hit& hit, const Vec3& point, const Vec3& direction, const Vec3& normal) {
     const CompiledObject& object = world_.objects[hit.object];
-    const double cos = dot(normal, direction);
     const bool two_faced = !world_.materials[object.material].interior_layers.empty();
     const bool inside = two_faced && world_.met_from_inside(hit, point, direction);
     const double caustics = world_.interiors[object.interior].caustics;
-    const double focus = caustics == 0.0 ? 1.0 : 1.0 + std::pow(std::fmin(std::fabs(cos), 1.0), caustics);
+    const auto layer_filter = [&](const LayerSample& layer) {
+        const double cos = dot(layer.bumped ? layer.normal : normal, direction);
+        const double focus = caustics == 0.0 ? 1.0 : 1.0 + std::pow(std::fmin(std::fabs(cos), 1.0), caustics);
+        return focus * (layer.color.filter * layer.color.rgb + Rgb(layer.color.transmit));
+    };
+    const SampledTexture& texture = layers_.at(object, inside, {hit, point, normal, direction});
     Rgb filter(1.0);
-    for (const LayerSample& layer : layers_.at(object, inside, point)) {
-        filter *= focus * (layer.color.filter * layer.color.rgb + Rgb(layer.color.transmit));
+    if (texture.shares.empty()) {
+        for (const LayerSample& layer : texture.layers) filter *= layer_filter(layer);
+        return filter;
     }
-    return filter;
+    Rgb sum(0.0);
+    std::size_t i = 0;
+    for (const TextureShare& share : texture.shares) {
+        for (filter = Rgb(1.0); i < share.end; ++i) filter *= layer_filter(texture.layers[i]);
+        sum += share.weight * filter;
+    }
+    return sum;
 }
 
 void Shadows::fade(std::uint32_t interior, double segment, Rgb& light) {

@@ -2,27 +2,30 @@
 
 namespace rt {
 
-SurfaceLayers::Side SurfaceLayers::side(const std::vector<LayerNode>& layers) const {
+SurfaceLayers::Side SurfaceLayers::side(const std::vector<LayerNode>& layers, bool uses_uv) const {
     Side side;
-    for (const LayerNode& layer : layers) {
-        if (layer.checker || (!layer.pigment.empty() && layer.pigment.front().checker)) side.pattern = &layers;
-    }
-    if (side.pattern == nullptr) sample_layers(layers, Vec3(0.0), side.constant, quick_);
+    side.uses_uv = uses_uv;
+    for (const LayerNode& layer : layers)
+        if (layer.textures || (layer.normal && question_.normals) || layer.pigment.front().surface) side.varying = &layers;
+    if (side.varying == nullptr) sample(layers, {}, question_, side.constant);
     return side;
 }
 
-SurfaceLayers::SurfaceLayers(const World& world, bool quick) : quick_(quick) {
+SurfaceLayers::SurfaceLayers(const World& world, const TextureQuestion& question) : world_(world), question_(question) {
     for (const Material& material : world.materials) {
-        outside_.push_back(side(material.layers));
-        inside_.push_back(side(material.interior_layers.empty() ? material.layers : material.interior_layers));
+        outside_.push_back(side(material.layers, material.uses_uv));
+        inside_.push_back(side(material.interior_layers.empty() ? material.layers : material.interior_layers, material.uses_uv));
     }
 }
 
-std::span<const LayerSample> SurfaceLayers::at(const CompiledObject& object, bool inside, const Vec3& point) {
+const SampledTexture& SurfaceLayers::at(const CompiledObject& object, bool inside, const SeenSurface& seen) {
     const Side& side = inside ? inside_[object.material] : outside_[object.material];
-    if (side.pattern == nullptr) return side.constant;
-    scratch_.clear();
-    sample_layers(*side.pattern, point, scratch_, quick_);
+    if (side.varying == nullptr) return side.constant;
+    TexturePoint point{seen.point, {seen.normal, seen.direction}, Vec2(0.0)};
+    if (side.uses_uv) point.uv = world_.uv(seen.hit, seen.point);
+    scratch_.layers.clear();
+    scratch_.shares.clear();
+    sample(*side.varying, point, question_, scratch_);
     return scratch_;
 }
 

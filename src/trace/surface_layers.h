@@ -1,4 +1,4 @@
-// The layers of a material at a point. Materials without patterns are sampled once for the whole picture.
+// The layers of a material at a point. Materials without patterns and bumps are sampled once for the whole picture.
 #pragma once
 
 #include <span>
@@ -8,25 +8,34 @@
 
 namespace rt {
 
+/// Where a ray met a surface.
+struct SeenSurface {
+    const Hit& hit;
+    const Vec3& point;
+    const Vec3& normal;     ///< turned against the ray
+    const Vec3& direction;  ///< the ray's, unit
+};
+
 class SurfaceLayers {
 public:
-    /// With `quick`, in quick colours where the scene states them.
-    SurfaceLayers(const World& world, bool quick);
+    SurfaceLayers(const World& world, const TextureQuestion& question);
 
-    /// Layers of the side of `object` that is seen, top layer first. Valid until the next call.
-    std::span<const LayerSample> at(const CompiledObject& object, bool inside, const Vec3& point);
+    /// What the side of `object` that is seen shows. Valid until the next call.
+    const SampledTexture& at(const CompiledObject& object, bool inside, const SeenSurface& seen);
 
 private:
-    /// One side of a material: `constant`, unless there is a `pattern`.
+    /// One side of a material: `constant`, unless it depends on the point.
     struct Side {
-        const std::vector<LayerNode>* pattern = nullptr;
-        std::vector<LayerSample> constant;
+        const std::vector<LayerNode>* varying = nullptr;
+        bool uses_uv = false;
+        SampledTexture constant;
     };
-    Side side(const std::vector<LayerNode>& layers) const;
+    Side side(const std::vector<LayerNode>& layers, bool uses_uv) const;
 
-    bool quick_;
+    const World& world_;
+    TextureQuestion question_;
     std::vector<Side> outside_, inside_;  ///< by material
-    std::vector<LayerSample> scratch_;
+    SampledTexture scratch_;
 };
 
 }  // namespace rt

@@ -18,6 +18,20 @@ void thin_out(Light& light, int most) {
     if (area.size1 == 1 && area.size2 == 1) light.area.reset();
 }
 
+void compile_surroundings(const Scene& scene, World& world) {
+    const PatternDefaults defaults = pattern_defaults(scene);
+    world.noise = defaults.noise;
+    world.irid_wavelength = scene.settings.irid_wavelength;
+    if (scene.sky_sphere) {
+        for (const Pigment& pigment : scene.sky_sphere->pigments) world.sky.push_back(compile_pigment(pigment, defaults, false));
+        world.sky_emission = scene.sky_sphere->emission;
+    }
+    for (const Fog& fog : scene.fogs)
+        if (fog.distance != 0.0) world.fogs.push_back(fog);
+    world.rainbows = scene.rainbows;
+    world.features.atmosphere = !world.fogs.empty() || !world.rainbows.empty();
+}
+
 std::vector<Light> compile_lights(const std::vector<Light>& stated, std::optional<int> light_samples) {
     std::vector<Light> lights;
     for (const Light& light : stated) {
@@ -61,10 +75,15 @@ bool needs_catalogue(const SurfaceFinish& surface) {
 void require(const std::vector<LayerNode>& layers, Features& features) {
     features.layers |= layers.size() > 1;
     for (const LayerNode& layer : layers) {
-        features.patterns |= layer.checker || layer.pigment.size() > 1;
-        features.catalogue |= !layer.checker && needs_catalogue(layer.finish);
-        require(layer.cell[0], features);
-        require(layer.cell[1], features);
+        if (layer.textures) {
+            features.patterns = true;
+            for (const std::vector<LayerNode>& entry : layer.textures->entries) require(entry, features);
+            continue;
+        }
+        features.patterns |= layer.pigment.front().surface != nullptr;
+        features.normals |= layer.normal != nullptr;
+        features.catalogue |= needs_catalogue(layer.finish);
+        features.grain |= layer.finish.finish.crand != 0.0 || layer.finish.finish.irid.has_value();
     }
 }
 
@@ -86,15 +105,16 @@ void reserve(const Scene& scene, Surfaces& surfaces) {
     surfaces.objects.reserve(scene.objects.size());
 }
 
-void find_camera_interiors(const Surfaces& surfaces, World& world) {
+void find_camera_interiors(const Scene& scene, const Surfaces& surfaces, World& world) {
     // Nobody asks for the list where nothing is transparent and no mirror can be fresnel's.
-    if (!world.features.transmits && !world.features.reflects) return;
+    if (!world.features.transmits && !world.features.reflects && !world.features.atmosphere) return;
     for (std::uint32_t object = 0; object < world.objects.size(); ++object) {
         if (!surfaces.contains(object, world.camera.origin)) continue;
         // Opaque bodies around the camera count as well: they are what a transparent one is nested in.
         std::uint32_t& interior = world.objects[object].interior;
         if (interior == 0) {
             world.interiors.push_back(world.interiors.front());
+            world.interiors.back().hollow = scene.objects[object].hollow;
             interior = static_cast<std::uint32_t>(world.interiors.size() - 1);
         }
         std::vector<std::uint32_t>& around = world.camera_interiors;  // parts of a set share theirs
@@ -128,6 +148,10 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
         surfaces.add(object, seen_bits(object, materials[material].can_transmit));
         world.objects.push_back({material, interior, object.no_shadow, object.no_image, object.no_reflection, object.double_illuminate,
                                  object.span, loose_triangle});
+        if (materials[material].uses_uv) {
+            world.objects.back().uv_frame = static_cast<std::uint32_t>(world.uv_frames.size());
+            world.uv_frames.push_back({object.shape, object.transform.value_or(Transform{})});
+        }
     }
     surfaces.join(scene);
     world.materials = materials.take();
@@ -167,9 +191,10 @@ World compile(const Scene& scene, const CompileOptions& options, const MessageSi
     world.adc_bailout = scene.settings.adc_bailout;
     world.legacy_opacity = scene.language_version < 3.7;
     world.background = scene.background.rgb * (world.legacy_opacity ? 1.0 : 1.0 - scene.background.transmit);
+    compile_surroundings(scene, world);
     try {
         Surfaces surfaces = compile_objects(scene, options, warn, world);
-        find_camera_interiors(surfaces, world);
+        find_camera_interiors(scene, surfaces, world);
         if (const Bounds box = box_around(surfaces); box.is_finite()) {
             world.scene_extent = std::fmax(max_abs(box.min), max_abs(box.max));
             world.scene_size = max_component(box.max - box.min);

@@ -1,31 +1,71 @@
 #include "world/material.h"
 
-#include "patterns/checker.h"
-
 namespace rt {
 
 namespace {
 
-PigmentColor color_at(const std::vector<PigmentNode>& tree, Vec3 p, bool quick) {
-    const PigmentNode* node = &tree[0];
-    while (node->checker && !(quick && node->quick)) {
-        p = node->to_pattern.point(p);
-        node = &tree[node->child[checker(p)]];
+/// The patterns of textures around a layer, innermost first.
+struct Enclosing {
+    const PatternNode* pattern = nullptr;
+    const Enclosing* around = nullptr;
+};
+
+const Bump plain;
+
+Vec3 into(const Enclosing* enclosing, const Vec3& normal) {
+    if (enclosing == nullptr) return normal;
+    return into_pattern(enclosing->pattern->pattern, plain, into(enclosing->around, normal));
+}
+
+Vec3 out_of(const Enclosing* enclosing, const Vec3& normal) {
+    if (enclosing == nullptr) return normal;
+    return out_of(enclosing->around, out_of_pattern(enclosing->pattern->pattern, plain, normal));
+}
+
+void sample_layer(const LayerNode& layer, const TexturePoint& seen, const TextureQuestion& question, const Enclosing* enclosing,
+                  SampledTexture& out) {
+    LayerSample sampled{.color = {}, .finish = &layer.finish};
+    if (!layer.normal || !question.normals) {
+        sampled.color = color_at(layer.pigment, seen, question.quick_colors);
+    } else {
+        TexturePoint bumped = seen;
+        sampled.bumped = true;
+        sampled.normal = out_of(enclosing, turned(*layer.normal, into(enclosing, seen.surface.normal), seen.point, seen));
+        bumped.surface.normal = sampled.normal;
+        sampled.color = color_at(layer.pigment, bumped, question.quick_colors);
     }
-    return quick && node->quick ? *node->quick : node->color;
+    out.layers.push_back(sampled);
+}
+
+void sample_inside(const std::vector<LayerNode>& layers, const TexturePoint& seen, const TextureQuestion& question,
+                   const Enclosing* enclosing, double weight, SampledTexture& out) {
+    if (layers.size() == 1 && layers.front().textures) {
+        const TextureNode& node = *layers.front().textures;
+        TexturePoint there = seen;
+        there.point = enter(node.pattern, seen.point, seen);
+        const Enclosing inner{&node.pattern, enclosing};
+        for_each_entry(node.pattern, there.point, seen,
+                       [&](std::size_t i, double share) { sample_inside(node.entries[i], there, question, &inner, weight * share, out); });
+        return;
+    }
+    for (const LayerNode& layer : layers) sample_layer(layer, seen, question, enclosing, out);
+    if (enclosing != nullptr) out.shares.push_back({weight, out.layers.size()});
 }
 
 }  // namespace
 
-void sample_layers(const std::vector<LayerNode>& layers, const Vec3& p, std::vector<LayerSample>& out, bool quick) {
-    for (const LayerNode& layer : layers) {
-        if (layer.checker) {
-            const Vec3 inside = layer.to_pattern.point(p);
-            sample_layers(layer.cell[checker(inside)], inside, out, quick);
-        } else {
-            out.push_back({color_at(layer.pigment, p, quick), &layer.finish});
-        }
-    }
+void sample(const std::vector<LayerNode>& layers, const TexturePoint& seen, const TextureQuestion& question, SampledTexture& out) {
+    sample_inside(layers, seen, question, nullptr, 1.0, out);
+}
+
+LayerSample top_layer(const std::vector<LayerNode>& layers, const Vec3& point) {
+    thread_local SampledTexture texture;
+    texture.layers.clear();
+    texture.shares.clear();
+    TexturePoint seen;
+    seen.point = point;
+    sample(layers, seen, {.normals = false}, texture);
+    return texture.layers.front();
 }
 
 }  // namespace rt

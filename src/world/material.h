@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "shading/surface_model.h"
+#include "world/normal_node.h"
 
 namespace rt {
 
@@ -19,39 +20,72 @@ struct SurfaceFinish {
     SurfaceModel model;
 };
 
-/// One layer at one point: its colour there and its finish.
+/// One layer at one point: its colour there, its finish, and its own normal if it is bumped.
 struct LayerSample {
     PigmentColor color;
     const SurfaceFinish* finish = nullptr;
+    bool bumped = false;
+    Vec3 normal{0.0};  ///< unit; of a bumped layer
 };
 
-/// A colour tree: solid, or a pattern over two children. Children are indices into the same vector; the root is element 0.
-struct PigmentNode {
-    PigmentColor color;
-    bool checker = false;
-    Transform to_pattern;  ///< surrounding space to pattern space (forward direction)
-    std::uint32_t child[2] = {0, 0};
-    std::optional<PigmentColor> quick;  ///< stands for the whole tree below where quick colours are asked for
-};
+struct TextureNode;
 
-/// A texture tree like the colour tree; a leaf is one plain layer, a checker chooses between two lists of layers.
+/// One layer, or a pattern of textures instead.
 struct LayerNode {
-    bool checker = false;
-    std::vector<PigmentNode> pigment;
+    PigmentTree pigment;
     SurfaceFinish finish;
-    Transform to_pattern;
-    std::vector<LayerNode> cell[2];
+    std::shared_ptr<const NormalNode> normal;
+    std::shared_ptr<const TextureNode> textures;
 };
+
+/// A pattern that chooses or mixes textures, each a list of layers, the top one first.
+struct TextureNode {
+    PatternNode pattern;
+    std::vector<std::vector<LayerNode>> entries;
+};
+
+/// Calls `visit` for every plain layer in the list and in the textures below it.
+template <typename Visit>
+void for_each_layer(const std::vector<LayerNode>& layers, const Visit& visit) {
+    for (const LayerNode& layer : layers) {
+        if (!layer.textures) {
+            visit(layer);
+            continue;
+        }
+        for (const std::vector<LayerNode>& entry : layer.textures->entries) for_each_layer(entry, visit);
+    }
+}
 
 struct Material {
     std::vector<LayerNode> layers;           ///< top layer first
     std::vector<LayerNode> interior_layers;  ///< seen from inside; empty: `layers`
     bool can_transmit = false;               ///< some colour in it has |filter| or |transmit| > 1e-10
     bool can_reflect = false;
+    bool uses_uv = false;
 };
 
-/// Appends the layers that `layers` has at point `p` (world space), top first; with `quick` in their quick colours, where stated.
-void sample_layers(const std::vector<LayerNode>& layers, const Vec3& p, std::vector<LayerSample>& out, bool quick = false);
+/// Layers of one of the textures that are mixed at a point: those from the end of the part before up to `end`.
+struct TextureShare {
+    double weight = 1.0;
+    std::size_t end = 0;
+};
+
+/// What a texture is at a point. Without shares all layers are of one texture.
+struct SampledTexture {
+    std::vector<LayerSample> layers;  ///< of each texture the top one first
+    std::vector<TextureShare> shares;
+};
+
+/// What is asked of textures.
+struct TextureQuestion {
+    bool quick_colors = false;  ///< where stated
+    bool normals = true;
+};
+
+/// Appends what `layers` is at a point.
+void sample(const std::vector<LayerNode>& layers, const TexturePoint& seen, const TextureQuestion& question, SampledTexture& out);
+/// The top layer at a point, without bumps; of a mixture of textures the first one's.
+LayerSample top_layer(const std::vector<LayerNode>& layers, const Vec3& point);
 
 /// Interior of an object with POV-Ray's legacy finish keywords already merged in.
 struct CompiledInterior {
@@ -61,6 +95,7 @@ struct CompiledInterior {
     double fade_power = 0.0;
     Rgb fade_color{0.0};
     double refraction = 1.0;  ///< legacy factor on all transmitted light
+    bool hollow = false;      ///< fog and rainbows go on inside
 };
 
 }  // namespace rt

@@ -33,16 +33,29 @@ void hash_transform(Hash& hash, const std::optional<Transform>& t) {
     if (t) hash << t->linear[0] << t->linear[1] << t->linear[2] << t->offset;
 }
 
+/// Not all of it: what objects with textures of their own mostly differ in.
+void hash_pattern(Hash& hash, const StatedPattern& stated) {
+    const Pattern& pattern = stated.pattern;
+    hash.mix(static_cast<std::uint64_t>(pattern.kind)).mix(pattern.warps.size());
+    for (const Warp& warp : pattern.warps)
+        if (const auto* t = std::get_if<Transform>(&warp)) hash << t->linear[0] << t->linear[1] << t->linear[2] << t->offset;
+}
+
 void hash_pigment(Hash& hash, const Pigment& pigment) {
     hash_transform(hash, pigment.transform);
     if (pigment.quick_color) hash_color(hash, *pigment.quick_color);
     if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) return hash_color(hash, *color);
-    for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) hash_pigment(hash, cell);
+    const PatternPigment& patterned = *std::get<Shared<PatternPigment>>(pigment.content);
+    hash_pattern(hash, patterned.pattern);
+    if (const auto* colors = std::get_if<Shared<ColorMap>>(&patterned.map))
+        for (const PigmentColor& color : (*colors)->colors) hash_color(hash, color);
+    if (const auto* pigments = std::get_if<Shared<PigmentMap>>(&patterned.map))
+        for (const Pigment& entry : (*pigments)->pigments) hash_pigment(hash, entry);
 }
 
 void hash_finish(Hash& hash, const Finish& f) {
     hash << f.ambient << f.emission << f.diffuse << f.diffuse_back << f.brilliance << f.phong << f.phong_size << f.specular << f.metallic
-         << f.reflection.min << f.reflection.max << f.reflection.falloff << f.reflection.exponent << f.reflection.metallic;
+         << f.reflection.min << f.reflection.max << f.reflection.falloff << f.reflection.exponent << f.reflection.metallic << f.crand;
     hash.mix(f.reflection.fresnel).mix(f.conserve_energy);
     for (const std::optional<double>& x : {f.roughness, f.ior, f.refraction, f.caustics}) hash_optional(hash, x);
     for (const SceneOption& option : f.options) hash.mix(option.span.file).mix(option.span.begin);
@@ -54,50 +67,36 @@ void hash_layers(Hash& hash, const std::vector<Texture>& layers) {
         if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
             hash_pigment(hash, plain->pigment);
             hash_finish(hash, plain->finish);
+            if (plain->normal) hash_pattern(hash, (*plain->normal)->pattern);
         } else {
-            const auto& checker = std::get<CheckerTexture>(texture.content);
-            hash_transform(hash, checker.transform);
-            for (const auto& cell : checker.cells) hash_layers(hash, cell);
+            const PatternTexture& patterned = *std::get<Shared<PatternTexture>>(texture.content);
+            hash_pattern(hash, patterned.pattern);
+            for (const TextureLayers& entry : patterned.map->textures) hash_layers(hash, *entry);
         }
     }
 }
 
 bool same(const TextureLayers* a, const TextureLayers* b) { return a == b || (a && b && *a == *b); }
 
-Transform to_pattern(const std::optional<Transform>& transform) { return transform ? transform->inverse() : Transform{}; }
-
-std::uint32_t add_pigment(const Pigment& pigment, std::vector<PigmentNode>& tree) {
-    const auto at = static_cast<std::uint32_t>(tree.size());
-    tree.emplace_back();
-    tree[at].quick = pigment.quick_color;
-    if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) {
-        tree[at].color = *color;
-        return at;
-    }
-    tree[at].checker = true;
-    tree[at].to_pattern = to_pattern(pigment.transform);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const std::uint32_t child = add_pigment(std::get<CheckerPigment>(pigment.content).cells[i], tree);
-        tree[at].child[i] = child;
-    }
-    return at;
-}
-
-bool transmits(const PigmentColor& c) { return std::fabs(c.filter) > 1e-10 || std::fabs(c.transmit) > 1e-10; }
-
 bool can_transmit(const std::vector<LayerNode>& layers) {
-    for (const LayerNode& layer : layers) {
-        if (can_transmit(layer.cell[0]) || can_transmit(layer.cell[1])) return true;
-        for (const PigmentNode& node : layer.pigment)
-            if (!node.checker && transmits(node.color)) return true;
-    }
-    return false;
+    bool any = false;
+    for_each_layer(layers, [&](const LayerNode& layer) { any |= can_transmit(layer.pigment); });
+    return any;
 }
 
 bool can_reflect(const std::vector<LayerNode>& layers) {
-    for (const LayerNode& layer : layers)
-        if ((!layer.checker && layer.finish.reflects) || can_reflect(layer.cell[0]) || can_reflect(layer.cell[1])) return true;
-    return false;
+    bool any = false;
+    for_each_layer(layers, [&](const LayerNode& layer) { any |= layer.finish.reflects; });
+    return any;
+}
+
+bool uses_uv(const std::vector<LayerNode>& layers) {
+    return std::any_of(layers.begin(), layers.end(), [](const LayerNode& layer) {
+        if (!layer.textures) return uses_uv(layer.pigment) || (layer.normal && uses_uv(*layer.normal));
+        const auto& entries = layer.textures->entries;
+        return uses_uv(layer.textures->pattern) ||
+               std::any_of(entries.begin(), entries.end(), [](const std::vector<LayerNode>& entry) { return uses_uv(entry); });
+    });
 }
 
 }  // namespace
@@ -160,38 +159,45 @@ void MaterialTable::warn_of_range(const SurfaceFinish& surface, bool share_state
     }
 }
 
-LayerNode MaterialTable::make_layer(const Texture& texture, double ior, const Span& span) {
+LayerNode MaterialTable::make_layer(const Texture& texture, double ior, bool uv, const Span& span) {
     LayerNode node;
     if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
-        add_pigment(plain->pigment, node.pigment);
+        uv |= plain->uv_mapping;
+        node.pigment = compile_pigment(plain->pigment, defaults_, uv);
         nodes_ += node.pigment.size();
         node.finish = make_finish(plain->finish, ior, span);
+        if (plain->normal) node.normal = std::make_shared<const NormalNode>(compile_normal(**plain->normal, defaults_, uv));
         return node;
     }
-    const auto& checker = std::get<CheckerTexture>(texture.content);
-    node.checker = true;
-    node.to_pattern = to_pattern(checker.transform);
-    for (std::size_t i = 0; i < 2; ++i) node.cell[i] = make_layers(checker.cells[i], ior, span);
+    const PatternTexture& stated = *std::get<Shared<PatternTexture>>(texture.content);
+    const auto made = std::make_shared<TextureNode>();
+    made->pattern = compile_pattern(stated.pattern, defaults_, uv);
+    made->pattern.values = stated.map->values;
+    uv &= !made->pattern.uv_mapping;
+    for (const TextureLayers& entry : stated.map->textures) made->entries.push_back(make_layers(*entry, ior, uv, span));
+    node.textures = made;
     return node;
 }
 
-std::vector<LayerNode> MaterialTable::make_layers(const std::vector<Texture>& layers, double ior, const Span& span) {
+std::vector<LayerNode> MaterialTable::make_layers(const std::vector<Texture>& layers, double ior, bool uv, const Span& span) {
     std::vector<LayerNode> nodes;
     nodes.reserve(layers.size());
-    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) nodes.push_back(make_layer(*layer, ior, span));
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) nodes.push_back(make_layer(*layer, ior, uv, span));
     return nodes;
 }
 
 Material MaterialTable::make(const Object& object, const Origin& origin) {
     Material material;
-    if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, object.span);
-    if (origin.interior_texture) material.interior_layers = make_layers(**origin.interior_texture, origin.ior, object.span);
+    if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, object.uv_mapping, object.span);
+    if (origin.interior_texture)
+        material.interior_layers = make_layers(**origin.interior_texture, origin.ior, object.uv_mapping, object.span);
     // Beyond what the file shares, each index of refraction makes materials of its own.
     if (nodes_ > max_nodes_ + materials_.size() + 1)
         throw LimitError(scene_.sources.describe(
             object.span, "Error", fmt::format("The scene's materials have more than {} pigments beyond the first of each.", max_nodes_)));
     material.can_transmit = can_transmit(material.layers) || can_transmit(material.interior_layers);
     material.can_reflect = can_reflect(material.layers) || can_reflect(material.interior_layers);
+    material.uses_uv = uses_uv(material.layers) || uses_uv(material.interior_layers);
     return material;
 }
 
@@ -208,15 +214,17 @@ std::size_t MaterialTable::hash(const TextureLayers& layers) {
 std::uint32_t MaterialTable::add(const Object& object) {
     const std::optional<double> stated = stated_ior(object);
     Origin origin{object.texture ? &*object.texture : nullptr, object.interior_texture ? &*object.interior_texture : nullptr,
-                  stated && *stated > 0.0 ? *stated : 1.5, 0};
+                  stated && *stated > 0.0 ? *stated : 1.5, object.uv_mapping, 0};
     Hash hash;
     hash << origin.ior;
+    hash.mix(origin.uv_mapping);
     for (const TextureLayers* layers : {origin.texture, origin.interior_texture})
         if (layers) hash.mix(this->hash(*layers));
     const auto [begin, end] = by_content_.equal_range(hash.value());
     for (auto it = begin; it != end; ++it) {
         const Origin& known = it->second;
-        if (known.ior == origin.ior && same(known.texture, origin.texture) && same(known.interior_texture, origin.interior_texture))
+        if (known.ior == origin.ior && known.uv_mapping == origin.uv_mapping && same(known.texture, origin.texture) &&
+            same(known.interior_texture, origin.interior_texture))
             return known.material;
     }
     origin.material = static_cast<std::uint32_t>(materials_.size());
@@ -240,13 +248,14 @@ CompiledInterior compile_interior(const Object& object) {
     CompiledInterior compiled;
     if (object.interior) {
         const Interior& stated = **object.interior;
-        compiled = {stated.ior.value_or(1.0), stated.caustics, stated.fade_distance, stated.fade_power, stated.fade_color, 1.0};
+        compiled = {stated.ior.value_or(1.0), stated.caustics, stated.fade_distance, stated.fade_power, stated.fade_color, 1.0, false};
     }
     if (const Finish* finish = legacy_finish(object)) {
         compiled.ior = finish->ior.value_or(compiled.ior);
         compiled.caustics = finish->caustics.value_or(compiled.caustics);
         compiled.refraction = finish->refraction.value_or(1.0);
     }
+    compiled.hollow = object.hollow;
     if (compiled.ior == 0.0) compiled.ior = 1.0;  // as POV-Ray reads it
     return compiled;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "world/compile.h"
+#include "world/compile_pigment.h"
 
 namespace rt {
 
@@ -13,7 +14,7 @@ class MaterialTable {
 public:
     /// Materials with more than `max_nodes` pigments beyond the first of each are a LimitError.
     MaterialTable(const Scene& scene, const CompileOptions& options, const MessageSink& warn, std::size_t max_nodes = 2'000'000)
-        : scene_(scene), options_(options), warn_(warn), max_nodes_(max_nodes) {}
+        : scene_(scene), options_(options), warn_(warn), defaults_(pattern_defaults(scene)), max_nodes_(max_nodes) {}
 
     /// Index of the object's material.
     std::uint32_t add(const Object& object);
@@ -26,12 +27,13 @@ private:
         const TextureLayers* texture;
         const TextureLayers* interior_texture;
         double ior;
+        bool uv_mapping;
         std::uint32_t material;
     };
     std::size_t hash(const TextureLayers& layers);
     Material make(const Object& object, const Origin& origin);
-    std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, const Span& span);
-    LayerNode make_layer(const Texture& texture, double ior, const Span& span);
+    std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, bool uv, const Span& span);
+    LayerNode make_layer(const Texture& texture, double ior, bool uv, const Span& span);
     SurfaceFinish make_finish(const Finish& finish, double ior, const Span& span);
     void warn_of_range(const SurfaceFinish& surface, bool share_stated, const Span& span);
     void choose_mirror(SurfaceFinish& surface, const Span& span);
@@ -47,6 +49,7 @@ private:
     const Scene& scene_;
     const CompileOptions& options_;
     const MessageSink& warn_;
+    PatternDefaults defaults_;
     std::vector<Material> materials_;
     std::unordered_multimap<std::size_t, Origin> by_content_;
     std::unordered_map<const void*, std::size_t> hashes_;  ///< of the layers that are more than one pigment

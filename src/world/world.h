@@ -8,6 +8,7 @@
 
 #include "geometry/hit.h"
 #include "world/material.h"
+#include "world/uv_mapping.h"
 
 namespace rt {
 
@@ -37,6 +38,7 @@ struct CompiledObject {
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
     Span span;
     bool loose_triangle = false;  ///< one face of a larger surface, most likely
+    std::uint32_t uv_frame = 0;   ///< index into uv_frames, where the material uses them
 };
 
 /// Pixel (u, v) in [-1/2, 1/2]^2, v upwards. Perspective: from origin along direction + u right + v up.
@@ -53,8 +55,11 @@ struct Features {
     bool reflects = false;
     bool fades = false;  ///< some interior has fade_power > 0 or a fade_distance
     bool patterns = false;
-    bool layers = false;  ///< some material has several layers
+    bool layers = false;   ///< some material has several layers
+    bool normals = false;  ///< some layer is bumped
     bool area_lights = false;
+    bool atmosphere = false;        ///< fog or rainbows
+    bool grain = false;             ///< some finish has crand or irid
     bool visibility_flags = false;  ///< some object is no_image or no_reflection
     bool catalogue = false;         ///< some finish has specular above 0 or another diffuse term than Lambert's
 };
@@ -92,11 +97,21 @@ public:
     /// the sign of direction . normal; in a mesh the flat side of the face decides, whatever its interpolated normal.
     bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;
 
+    /// (u, v) of a hit on an object whose material uses them.
+    Vec2 uv(const Hit& hit, const Vec3& point) const { return uv_of(uv_frames[objects[hit.object].uv_frame], point); }
+
     CameraBasis camera;
     std::vector<Light> lights;
     std::vector<CompiledObject> objects;
     std::vector<Material> materials;
     std::vector<CompiledInterior> interiors;
+    std::vector<UvFrame> uv_frames;
+    std::vector<Fog> fogs;  ///< those that can be seen; `up` unit
+    std::vector<Rainbow> rainbows;
+    NoiseGenerator noise = NoiseGenerator::range_corrected;  ///< of turbulent fog and films
+    Rgb irid_wavelength{1.0};
+    std::vector<PigmentTree> sky;  ///< of a sky_sphere, the nearest last
+    Rgb sky_emission{1.0};
     /// Interiors of the objects that contain the camera, in file order.
     std::vector<std::uint32_t> camera_interiors;
     Rgb background{0.0};

@@ -8,6 +8,7 @@
 #include "commands/job/text.h"
 #include "commands/pixel/course_text.h"
 #include "core/source.h"
+#include "tests/scene/checkers.h"
 
 namespace rt {
 namespace {
@@ -99,7 +100,7 @@ TEST(Requirements, NameEveryFeatureOfTexturesAndInteriors) {
     glass.finish.reflection.fresnel = true;
     glass.finish.phong = 1.0;
     PlainTexture floor;
-    floor.pigment.content = CheckerPigment{{Pigment{}, Pigment{}}};
+    floor.pigment = checker_of(Pigment{}, Pigment{});
     floor.finish.specular = 0.5;
     Object o = object(Sphere{}, std::vector<Texture>{Texture{floor}, Texture{glass}});
     Interior interior;

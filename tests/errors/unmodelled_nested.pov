@@ -3,6 +3,6 @@ global_settings { assumed_gamma 1 }
 sphere { 0, 1
   texture {
     pigment { rgb 1 }
-    normal { bumps 0.5 }
+    normal { tiling 5 }
   }
 }

@@ -132,10 +132,13 @@ TEST(FinishBlock, NothingIsClamped) {
     EXPECT_EQ(f.ambient, Rgb(-0.5));
 }
 
+TEST(FinishBlock, GrainAndFilm) {
+    EXPECT_EQ(finish("crand 0.1").crand, 0.1);
+    EXPECT_EQ(finish("irid { 0.3 thickness 1 turbulence 0.5 }").irid, (Irid{0.3, 1.0, 0.5}));
+}
+
 TEST(FinishBlock, WhatIsNotModelled) {
-    EXPECT_EQ(with_finish("crand 0.1").error, "'crand' is not modelled.");
-    EXPECT_EQ(with_finish("crand 0").error, "");
-    EXPECT_EQ(with_finish("irid { 0.3 thickness 1 }").error, "'irid' is not modelled.");
+    EXPECT_EQ(with_finish("subsurface { translucency 1 }").error, "'subsurface' is not modelled.");
     EXPECT_EQ(with_finish("albedo 0.5").error, "No matching } in 'finish', albedo found instead");
     EXPECT_EQ(with_finish("conserve_energy on").error, "No matching } in 'finish', float function 'on' found instead");
 }

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
 namespace rt {
@@ -50,15 +51,15 @@ TEST(ObjectTransforms, ComposeInOrder) {
 
 TEST(ObjectTransforms, MoveTheTexturesThatAreThereAlready) {
     const Object o = sphere_with("pigment { checker } scale 2 translate x");
-    EXPECT_EQ(layer(o).pigment.transform->point(Vec3(1.0)), Vec3(3, 2, 2));
+    EXPECT_EQ(moved(layer(o).pigment, Vec3(1.0)), Vec3(3, 2, 2));
     EXPECT_EQ(o.transform->point(Vec3(1.0)), Vec3(3, 2, 2));
-    EXPECT_FALSE(layer(sphere_with("scale 2 pigment { checker }")).pigment.transform);
+    EXPECT_EQ(moved(layer(sphere_with("scale 2 pigment { checker }")).pigment, Vec3(1.0)), Vec3(1.0));
     const Object between = sphere_with("scale 2 pigment { checker } translate x pigment { scale 3 }");
-    EXPECT_EQ(layer(between).pigment.transform->point(Vec3(1.0)), Vec3(6, 3, 3));
+    EXPECT_EQ(moved(layer(between).pigment, Vec3(1.0)), Vec3(6, 3, 3));
 }
 
 TEST(ObjectTransforms, DoNotMoveTheDefaultTexture) {
-    EXPECT_FALSE(layer(only("#default { pigment { checker } } sphere { 0, 1 scale 2 }")).pigment.transform);
+    EXPECT_EQ(moved(layer(only("#default { pigment { checker } } sphere { 0, 1 scale 2 }")).pigment, Vec3(1.0)), Vec3(1.0));
 }
 
 TEST(ObjectTransforms, APlainTextureIsSharedByObjectsHoweverTheyAreMoved) {
@@ -85,13 +86,13 @@ TEST(ObjectTextures, AreSharedWhereTheyAreEqualAndPlain) {
 
 TEST(ObjectTransforms, MatterToAPatternThatReplacesAPlainColour) {
     const Object o = sphere_with("pigment { rgb 1 } scale 2 pigment { checker }");
-    EXPECT_EQ(layer(o).pigment.transform->point(Vec3(1.0)), Vec3(2.0));
+    EXPECT_EQ(moved(layer(o).pigment, Vec3(1.0)), Vec3(2.0));
 }
 
 TEST(ObjectTransforms, InteriorTexturesMoveToo) {
     const Object o = sphere_with("pigment { rgb 1 } interior_texture { pigment { checker } } translate x");
     const PlainTexture inner = std::get<PlainTexture>((*o.interior_texture)->at(0).content);
-    EXPECT_EQ(inner.pigment.transform->point(Vec3(0.0)), Vec3(1, 0, 0));
+    EXPECT_EQ(moved(inner.pigment, Vec3(0.0)), Vec3(1, 0, 0));
 }
 
 TEST(ObjectBlock, PlacesDeclaredObjects) {

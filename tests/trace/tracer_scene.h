@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "tests/scene/checkers.h"
 #include "trace/camera.h"
 #include "trace/tracer.h"
 #include "world/compile.h"
@@ -30,11 +31,10 @@ inline Texture texture(const PigmentColor& c, const Finish& finish) {
 }
 
 inline Pigment checker(const PigmentColor& a, const PigmentColor& b) {
-    Pigment pa, pb, p;
+    Pigment pa, pb;
     pa.content = a;
     pb.content = b;
-    p.content = CheckerPigment{{pa, pb}};
-    return p;
+    return checker_of(pa, pb);
 }
 
 inline Object object(Shape shape, std::vector<Texture> layers, const Interior& interior = {}) {

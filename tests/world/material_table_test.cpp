@@ -5,15 +5,13 @@
 
 #include <deque>
 
+#include "tests/scene/checkers.h"
+
 namespace rt {
 namespace {
 
 /// A checker of two colours: three pigments.
-TextureLayers checkered() {
-    Pigment pigment;
-    pigment.content = CheckerPigment{{Pigment{}, Pigment{}}};
-    return std::vector<Texture>{Texture{PlainTexture{pigment, {}}}};
-}
+TextureLayers checkered() { return std::vector<Texture>{Texture{PlainTexture{checker_of(Pigment{}, Pigment{}), {}}}}; }
 
 Object object(const TextureLayers& texture, double ior) {
     Object object;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/scene/checkers.h"
 #include "world/compile.h"
 
 namespace rt {
@@ -15,12 +16,7 @@ Pigment solid(const Rgb& rgb, double filter = 0.0, double transmit = 0.0) {
     return pigment;
 }
 
-Pigment checkered(const Pigment& a, const Pigment& b, const Transform& transform = {}) {
-    Pigment pigment;
-    pigment.content = CheckerPigment{{a, b}};
-    pigment.transform = transform;
-    return pigment;
-}
+Pigment checkered(const Pigment& a, const Pigment& b, const Transform& transform = {}) { return checker_of(a, b, transform); }
 
 Texture plain(const Pigment& pigment, const Finish& finish = {}) {
     Texture texture;
@@ -44,9 +40,11 @@ World compiled(const std::vector<Object>& objects, const CompileOptions& options
 }
 
 Rgb color_at(const World& world, const Vec3& p, std::size_t layer = 0, bool quick = false) {
-    std::vector<LayerSample> samples;
-    sample_layers(world.materials[world.objects[0].material].layers, p, samples, quick);
-    return samples.at(layer).color.rgb;
+    SampledTexture sampled;
+    TexturePoint seen;
+    seen.point = p;
+    sample(world.materials[world.objects[0].material].layers, seen, {.quick_colors = quick}, sampled);
+    return sampled.layers.at(layer).color.rgb;
 }
 
 const Rgb red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1};
@@ -70,11 +68,8 @@ TEST(Material, NestedCheckersAreEvaluatedInTheSpaceAroundThem) {
 }
 
 TEST(Material, CheckersOfTexturesHoldLayersAndTransforms) {
-    CheckerTexture checker;
-    checker.cells = {{plain(checkered(solid(red), solid(green)))}, {plain(solid(blue)), plain(solid(green, 0, 1))}};
-    checker.transform = Transform::scale(Vec3(2.0));
-    Texture texture;
-    texture.content = checker;
+    const Texture texture = checker_of({plain(checkered(solid(red), solid(green)))}, {plain(solid(blue)), plain(solid(green, 0, 1))},
+                                       Transform::scale(Vec3(2.0)));
     const World world = compiled({textured({texture})});
     EXPECT_EQ(color_at(world, {1, 1, 1}), red);  // in pattern space <.5, .5, .5>: the inner checker's cells are as large as the outer's
     EXPECT_EQ(color_at(world, {3, 3, 1}), red);

@@ -73,10 +73,8 @@ private:
     Ray further(const Met& met, const Vec3& direction) const { return {met.point + rules_.offset * direction, direction}; }
 
     course::Surface surface_at(const Met& met) {
-        layers_.clear();
         const CompiledObject& object = shaded_.world.objects[met.object];
-        sample_layers(shaded_.world.materials[object.material].layers, met.point, layers_);
-        const LayerSample& top = layers_.front();
+        const LayerSample top = top_layer(shaded_.world.materials[object.material].layers, met.point);
         return {.pigment = top.color.rgb,
                 .filter = top.color.filter,
                 .reflection = top.finish->finish.reflection.max.r,
@@ -144,7 +142,6 @@ private:
     const ShadedScene& shaded_;
     const PathRules& rules_;
     RayLog log_;
-    std::vector<LayerSample> layers_;  ///< scratch
 };
 
 /// As long as transforms, or a triangle's edges, make it.

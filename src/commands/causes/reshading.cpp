@@ -20,10 +20,8 @@ public:
           how_(how),
           to_viewer_(-node.ray.direction),
           normal_(changed_normal(shaded.scene.objects[node.object], node.normal, node.inside, how.normal)) {
-        thread_local std::vector<LayerSample> layers;
-        layers.clear();
-        sample_layers(shaded.world.materials[shaded.world.objects[node.object].material].layers, node.point, layers);
-        const Finish& finish = layers.front().finish->finish;
+        const Finish& finish =
+            top_layer(shaded.world.materials[shaded.world.objects[node.object].material].layers, node.point).finish->finish;
         surface_ = {.pigment = node.layers.front().rgb,
                     .filter = node.layers.front().filter,
                     .ambient = finish.ambient.r,

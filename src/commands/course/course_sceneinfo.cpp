@@ -45,16 +45,19 @@ private:
     }
 };
 
-/// The plain texture that shows where there is one: the top layer, of a checker the first cell's.
+/// The plain texture that shows where there is one: the top layer, of a pattern the first entry's.
 const PlainTexture* plain_texture(const std::vector<Texture>& layers) {
     if (layers.empty()) return nullptr;
     if (const auto* plain = std::get_if<PlainTexture>(&layers.back().content)) return plain;
-    return plain_texture(std::get<CheckerTexture>(layers.back().content).cells[0]);
+    return plain_texture(*std::get<Shared<PatternTexture>>(layers.back().content)->map->textures.front());
 }
 
 Rgb plain_color(const Pigment& pigment) {
     if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) return color->rgb;
-    return plain_color(std::get<CheckerPigment>(pigment.content).cells[0]);
+    const auto& map = std::get<Shared<PatternPigment>>(pigment.content)->map;
+    if (const auto* colors = std::get_if<Shared<ColorMap>>(&map)) return (*colors)->colors.front().rgb;
+    if (const auto* pigments = std::get_if<Shared<PigmentMap>>(&map)) return plain_color((*pigments)->pigments.front());
+    return Rgb(0.0);
 }
 
 std::string texture_text(const std::vector<Texture>& layers) {

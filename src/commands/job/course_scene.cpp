@@ -26,7 +26,13 @@ void check_pigment(const Scene& scene, const Object& object, const Pigment& pigm
         if (color->transmit != 0.0) fail(scene, object.span, "'transmit'");
         return;
     }
-    for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) check_pigment(scene, object, cell);
+    const PatternPigment& patterned = *std::get<Shared<PatternPigment>>(pigment.content);
+    if (std::holds_alternative<Shared<ImageMap>>(patterned.map)) fail(scene, object.span, "'image_map'");
+    if (const auto* colors = std::get_if<Shared<ColorMap>>(&patterned.map))
+        for (const PigmentColor& color : (*colors)->colors)
+            if (color.transmit != 0.0) fail(scene, object.span, "'transmit'");
+    if (const auto* pigments = std::get_if<Shared<PigmentMap>>(&patterned.map))
+        for (const Pigment& entry : (*pigments)->pigments) check_pigment(scene, object, entry);
 }
 
 /// The first word of a finish that has an effect for POV-Ray and none here.
@@ -49,10 +55,12 @@ void check_layers(const Scene& scene, const Object& object, const std::vector<Te
     for (const Texture& texture : layers) {
         const auto* plain = std::get_if<PlainTexture>(&texture.content);
         if (plain == nullptr) {
-            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(texture.content).cells)
-                check_layers(scene, object, cell, warn);
+            const PatternTexture& patterned = *std::get<Shared<PatternTexture>>(texture.content);
+            if (!has_cells(patterned.pattern.pattern.kind)) fail(scene, object.span, "A mixture of textures");
+            for (const TextureLayers& entry : patterned.map->textures) check_layers(scene, object, *entry, warn);
             continue;
         }
+        if (plain->normal) fail(scene, object.span, "'normal'");
         check_pigment(scene, object, plain->pigment);
         if (const std::string_view word = unused_word(plain->finish); !word.empty())
             warn(scene.sources.describe(object.span, "Parse Warning", fmt::format("The course's rules do not use {}.", word)));
@@ -70,6 +78,9 @@ void read_as_course(ParseOptions& options) {
 void check_course_scene(const Scene& scene, const MessageSink& warn) {
     if (scene.camera.type != Camera::Type::perspective) fail(scene, scene.camera.span, "An orthographic camera");
     for (const Light& light : scene.lights) check_light(scene, light);
+    if (scene.sky_sphere) fail(scene, {}, "'sky_sphere'");
+    if (!scene.fogs.empty()) fail(scene, {}, "'fog'");
+    if (!scene.rainbows.empty()) fail(scene, {}, "'rainbow'");
     std::unordered_set<const void*> seen;  // objects share textures
     for (const Object& object : scene.objects) {
         if (object.interior_texture) fail(scene, object.span, "'interior_texture'");

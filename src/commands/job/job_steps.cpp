@@ -9,6 +9,7 @@
 #include "commands/base/values.h"
 #include "commands/job/course_scene.h"
 #include "commands/job/encoding.h"
+#include "commands/job/picture_files.h"
 #include "commands/job/quality.h"
 #include "commands/job/scene_choices.h"
 
@@ -77,6 +78,7 @@ MessageSink message_sink(bool quiet) {
 
 Scene read_scene(RenderJob& job, const MessageSink& messages) {
     for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
+    job.parse.read_picture = read_picture_file;
     Scene scene = parse_file(job.scene, job.parse, messages);
     apply_scene_choices(scene, job);
     apply_quality(job, scene);

@@ -58,20 +58,34 @@ private:
             if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
                 pigment(plain->pigment);
                 finish(plain->finish);
+                if (plain->normal) features_.insert("normals");
                 continue;
             }
-            features_.insert("checker");
-            for (const std::vector<Texture>& cell : std::get<CheckerTexture>(texture.content).cells) layer_list(cell);
+            const PatternTexture& patterned = *std::get<Shared<PatternTexture>>(texture.content);
+            features_.insert(std::string(name(patterned.pattern.pattern.kind)));
+            for (const TextureLayers& entry : patterned.map->textures) layer_list(*entry);
         }
     }
 
     void pigment(const Pigment& pigment) {
         if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) {
-            if (color->filter != 0.0 || color->transmit != 0.0) features_.insert("transparency");
+            transparency(*color);
             return;
         }
-        features_.insert("checker");
-        for (const Pigment& cell : std::get<CheckerPigment>(pigment.content).cells) this->pigment(cell);
+        const PatternPigment& patterned = *std::get<Shared<PatternPigment>>(pigment.content);
+        if (std::holds_alternative<Shared<ImageMap>>(patterned.map)) {
+            features_.insert("image_map");
+            return;
+        }
+        features_.insert(std::string(name(patterned.pattern.pattern.kind)));
+        if (const auto* colors = std::get_if<Shared<ColorMap>>(&patterned.map))
+            for (const PigmentColor& color : (*colors)->colors) transparency(color);
+        if (const auto* pigments = std::get_if<Shared<PigmentMap>>(&patterned.map))
+            for (const Pigment& entry : (*pigments)->pigments) this->pigment(entry);
+    }
+
+    void transparency(const PigmentColor& color) {
+        if (color.filter != 0.0 || color.transmit != 0.0) features_.insert("transparency");
     }
 
     /// By the surroundings that the scene chooses from the catalogue, else by the finish itself.

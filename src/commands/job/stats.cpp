@@ -60,13 +60,11 @@ std::size_t peak_memory() {
 namespace {
 
 void find_narrowest(const std::vector<LayerNode>& layers, double below, double& least) {
-    for (const LayerNode& layer : layers) {
+    for_each_layer(layers, [&](const LayerNode& layer) {
         const SurfaceModel& model = layer.finish.model;
-        const bool lobe = !layer.checker && model.specular == SurfaceModel::Specular::microfacet && model.s > 0.0 && model.alpha > 0.0;
+        const bool lobe = model.specular == SurfaceModel::Specular::microfacet && model.s > 0.0 && model.alpha > 0.0;
         if (lobe && model.alpha < below) least = std::fmin(least, model.alpha);
-        find_narrowest(layer.cell[0], below, least);
-        find_narrowest(layer.cell[1], below, least);
-    }
+    });
 }
 
 }  // namespace

@@ -34,10 +34,9 @@ std::vector<Statement> statements_of(const RenderJob& job, const Scene& scene) {
 }
 
 bool is_read(std::string_view key, const std::vector<LayerNode>& layers, const LampRules& lamps, std::span<const Light> lights) {
-    return std::any_of(layers.begin(), layers.end(), [&](const LayerNode& layer) {
-        if (!layer.checker) return is_read(key, Shading{layer.finish.model, lamps, lights});
-        return is_read(key, layer.cell[0], lamps, lights) || is_read(key, layer.cell[1], lamps, lights);
-    });
+    bool read = false;
+    for_each_layer(layers, [&](const LayerNode& layer) { read |= is_read(key, Shading{layer.finish.model, lamps, lights}); });
+    return read;
 }
 
 bool is_read_by_edges(std::string_view key, const EdgeOptions& edges) {

@@ -46,21 +46,22 @@ private:
     static bool has_pattern(const std::vector<Texture>& layers) {
         return std::ranges::any_of(layers, [](const Texture& texture) {
             const auto* plain = std::get_if<PlainTexture>(&texture.content);
-            return plain == nullptr || std::holds_alternative<CheckerPigment>(plain->pigment.content);
+            return plain == nullptr || plain->normal || !std::holds_alternative<PigmentColor>(plain->pigment.content);
         });
     }
     /// Patterns within patterns lie in the outer one's space, which grows with it.
     std::vector<Texture> scaled(std::vector<Texture> layers) const {
         for (Texture& texture : layers) {
             if (auto* plain = std::get_if<PlainTexture>(&texture.content)) {
-                grow(plain->pigment.transform);
+                if (auto* pigment = std::get_if<Shared<PatternPigment>>(&plain->pigment.content)) grow(pigment->edit().pattern);
+                if (plain->normal) grow(plain->normal->edit().pattern);
             } else {
-                grow(std::get<CheckerTexture>(texture.content).transform);
+                grow(std::get<Shared<PatternTexture>>(texture.content).edit().pattern);
             }
         }
         return layers;
     }
-    void grow(std::optional<Transform>& transform) const { transform = transform.value_or(Transform{}).then(larger_); }
+    void grow(StatedPattern& stated) const { append(stated.pattern, larger_); }
 
     Transform larger_;
     std::unordered_map<const void*, TextureLayers> made_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scene/checkers.h"
 #include "world/compile.h"
 
 namespace rt {
@@ -128,23 +129,19 @@ TEST(ScaledScene, CamerasSeeTheSame) {
 }
 
 Pigment squares() {
-    Pigment black, white, pigment;
+    Pigment black, white;
     white.content = PigmentColor{Rgb(1.0), 0.0, 0.0};
     black.content = PigmentColor{};
-    pigment.content = CheckerPigment{{white, black}};
-    return pigment;
+    return checker_of(white, black);
 }
 
 TEST(ScaledScene, PatternsGrowOnceAndStayShared) {
     Scene scene = with(Sphere{});
-    Pigment outer;
-    Pigment inner = squares();
-    inner.transform = Transform::scale(Vec3(0.1));
-    outer.content = CheckerPigment{{inner, inner}};
-    outer.transform = Transform::translate({1, 2, 3});
+    const Pigment inner = checker_of(squares(), squares(), Transform::scale(Vec3(0.1)));
+    const Pigment outer = checker_of(inner, inner, Transform::translate({1, 2, 3}));
     scene.objects[0].texture = TextureLayers({{PlainTexture{outer, {}}}, {PlainTexture{squares(), {}}}});
     scene.objects[0].interior_texture =
-        TextureLayers({{CheckerTexture{{{{PlainTexture{squares(), {}}}}, {{PlainTexture{}}}}, Transform::translate({1, 0, 0})}}});
+        TextureLayers({checker_of({{PlainTexture{squares(), {}}}}, {{PlainTexture{}}}, Transform::translate({1, 0, 0}))});
     scene.objects.push_back(scene.objects[0]);
     Object plain;
     plain.texture = TextureLayers({{PlainTexture{}}});
@@ -153,13 +150,13 @@ TEST(ScaledScene, PatternsGrowOnceAndStayShared) {
     const Scene larger = scaled(scene, by);
     const auto& layers = **larger.objects[0].texture;
     const Pigment& pigment = std::get<PlainTexture>(layers[0].content).pigment;
-    EXPECT_EQ(pigment.transform->point({1, 1, 1}), Vec3(8, 12, 16));
-    EXPECT_EQ(pigment.transform->inverse_point({8, 12, 16}), Vec3(1, 1, 1));
-    EXPECT_EQ(std::get<CheckerPigment>(pigment.content).cells[0].transform, inner.transform) << "it lies in the outer one's space";
-    EXPECT_EQ(std::get<PlainTexture>(layers[1].content).pigment.transform->point({1, 1, 1}), Vec3(4, 4, 4));
-    const auto& textures = std::get<CheckerTexture>((**larger.objects[0].interior_texture)[0].content);
-    EXPECT_EQ(textures.transform->point({1, 1, 1}), Vec3(8, 4, 4));
-    EXPECT_FALSE(std::get<PlainTexture>(textures.cells[0][0].content).pigment.transform) << "likewise";
+    EXPECT_EQ(moved(pigment, {1, 1, 1}), Vec3(8, 12, 16));
+    const auto& cells = *std::get<Shared<PigmentMap>>(pattern_of(pigment).map);
+    EXPECT_EQ(cells.pigments[0], inner) << "it lies in the outer one's space";
+    EXPECT_EQ(moved(std::get<PlainTexture>(layers[1].content).pigment, {1, 1, 1}), Vec3(4, 4, 4));
+    const PatternTexture& textures = pattern_of((**larger.objects[0].interior_texture)[0]);
+    EXPECT_EQ(moved(textures.pattern.pattern, {1, 1, 1}), Vec3(8, 4, 4));
+    EXPECT_EQ(std::get<PlainTexture>(textures.map->textures[0]->at(0).content).pigment, squares()) << "likewise";
     EXPECT_EQ(larger.objects[1].texture->identity(), larger.objects[0].texture->identity());
     EXPECT_EQ(larger.objects[2].texture->identity(), scene.objects[2].texture->identity()) << "nothing in it to grow";
 }

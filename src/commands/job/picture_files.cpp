@@ -1,0 +1,16 @@
+#include "commands/job/picture_files.h"
+
+#include <filesystem>
+
+#include "film/image_file.h"
+
+namespace rt {
+
+std::optional<PictureFile> read_picture_file(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    StoredImage image = read_image(path);
+    return PictureFile{image.width, image.height, image.channels, image.max_value, std::move(image.values), image.gamma};
+}
+
+}  // namespace rt

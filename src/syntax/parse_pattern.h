@@ -1,0 +1,42 @@
+// What pigments, normals and patterns of textures have in common: the pattern's kind and numbers, its modifiers, its map.
+#pragma once
+
+#include "scene/scene.h"
+#include "syntax/blocks.h"
+
+namespace rt {
+
+enum class PatternUse { pigment, normal, texture };
+
+/// Takes the pattern that comes next, up to its colours: its kind with its numbers. What moved a pattern before still moves this one.
+bool accept_pattern(Reader& reader, StatedPattern& stated, PatternUse use);
+/// Takes a transform, a warp or a number of the pattern.
+bool accept_pattern_modifier(Reader& reader, StatedPattern& stated, PatternUse use);
+/// `warp { }` after its word.
+Warp parse_warp(Reader& reader);
+/// One of `turbulence`, `octaves`, `omega`, `lambda`.
+bool accept_turbulence_item(Reader& reader, std::optional<Turbulence>& turbulence);
+
+bool takes_map(PatternKind kind);  ///< all but those with cells
+
+/// color_map { }, pigment_map { }, normal_map { }, texture_map { }, slope_map { } after the word.
+Shared<ColorMap> parse_color_map(Reader& reader);
+Shared<PigmentMap> parse_pigment_map(Reader& reader);
+Shared<NormalMap> parse_normal_map(Reader& reader);
+Shared<TextureMap> parse_texture_map(Reader& reader);
+Shared<SlopeMap> parse_slope_map(Reader& reader);
+
+/// What stands between the braces of pigment { } and normal { }, and in the entries of their maps.
+Pigment parse_pigment_body(Reader& reader, Pigment base);
+Normal parse_normal_body(Reader& reader, const Normal* base);
+/// `normal { }` after its word; edits `base` if there is one.
+Shared<Normal> parse_normal(Reader& reader, const std::optional<Shared<Normal>>& base);
+
+/// `image_map { }` after its word.
+Shared<ImageMap> parse_image_map(Reader& reader);
+/// `image_pattern { }` and `bump_map { }` after the word; `size` takes `bump_size`, if it may.
+ImageNumbers parse_value_image(Reader& reader, float* size);
+/// `density_file df3 "name"` after its word.
+Shared<ValueGrid> parse_density_file(Reader& reader);
+
+}  // namespace rt

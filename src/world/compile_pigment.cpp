@@ -1,0 +1,124 @@
+#include "world/compile_pigment.h"
+
+#include <algorithm>
+
+namespace rt {
+
+namespace {
+
+bool transmits(const PigmentColor& c) { return std::fabs(c.filter) > 1e-10 || std::fabs(c.transmit) > 1e-10; }
+
+/// The colours that a kind shows without a map.
+Shared<ColorMap> default_colors(PatternKind kind) {
+    ColorMap map;
+    if (has_cells(kind)) {
+        for (const Rgb& color : default_cell_colors(kind)) map.colors.push_back({color, 0.0, 0.0});
+    } else {
+        for (const DefaultMapEntry& entry : default_color_map(kind)) {
+            map.values.push_back(entry.value);
+            map.colors.push_back({entry.color, 0.0, 0.0});
+        }
+    }
+    return map;
+}
+
+class TreeMaker {
+public:
+    TreeMaker(const PatternDefaults& defaults, PigmentTree& tree) : defaults_(defaults), tree_(tree) {}
+
+    void fill(std::size_t at, const Pigment& pigment, bool uv) {
+        tree_[at].quick = pigment.quick_color;
+        if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) {
+            tree_[at].color = *color;
+            return;
+        }
+        const PatternPigment& stated = *std::get<Shared<PatternPigment>>(pigment.content);
+        const auto surface = std::make_shared<PigmentSurface>();
+        surface->pattern = compile_pattern(stated.pattern, defaults_, uv);
+        uv &= !surface->pattern.uv_mapping;  // seen once at (u, v, 0), its entries have their point from it
+        if (const auto* image = std::get_if<Shared<ImageMap>>(&stated.map)) {
+            surface->image = **image;
+        } else if (const auto* pigments = std::get_if<Shared<PigmentMap>>(&stated.map)) {
+            surface->pattern.values = (*pigments)->values;
+            const std::size_t first = tree_.size();
+            tree_[at].first_child = static_cast<std::uint32_t>(first);
+            tree_.resize(first + (*pigments)->pigments.size());
+            for (std::size_t i = 0; i < (*pigments)->pigments.size(); ++i) fill(first + i, (*pigments)->pigments[i], uv);
+        } else {
+            const auto* colors = std::get_if<Shared<ColorMap>>(&stated.map);
+            surface->colors = colors ? *colors : default_colors(stated.pattern.pattern.kind);
+        }
+        tree_[at].surface = surface;
+    }
+
+private:
+    const PatternDefaults& defaults_;
+    PigmentTree& tree_;
+};
+
+}  // namespace
+
+PatternDefaults pattern_defaults(const Scene& scene) {
+    PatternDefaults defaults;
+    const GlobalSettings& settings = scene.settings;
+    const bool old = scene.language_version > 0.0 && scene.language_version < 3.5;
+    defaults.noise = settings.noise_generator.value_or(old ? NoiseGenerator::original : NoiseGenerator::range_corrected);
+    if (settings.number_of_waves != GlobalSettings{}.number_of_waves) defaults.sources = wave_sources(settings.number_of_waves);
+    return defaults;
+}
+
+PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& defaults, bool uv) {
+    PatternNode node;
+    node.pattern = stated.pattern;
+    node.uv_mapping = uv || stated.uv_mapping;
+    if (!stated.own_noise) node.pattern.noise = defaults.noise;
+    if (auto* waves = std::get_if<WavesNumbers>(&node.pattern.numbers); waves != nullptr && defaults.sources)
+        waves->sources = *defaults.sources;
+    if (const auto* function = std::get_if<std::shared_ptr<const Function>>(&stated.source)) node.function = *function;
+    if (const auto* pigment = std::get_if<Shared<Pigment>>(&stated.source)) node.grey = compile_pigment(**pigment, defaults, false);
+    return node;
+}
+
+PigmentTree compile_pigment(const Pigment& pigment, const PatternDefaults& defaults, bool uv) {
+    PigmentTree tree(1);
+    TreeMaker(defaults, tree).fill(0, pigment, uv);
+    return tree;
+}
+
+NormalNode compile_normal(const Normal& normal, const PatternDefaults& defaults, bool uv) {
+    NormalNode node;
+    node.pattern = compile_pattern(normal.pattern, defaults, uv);
+    node.bump = normal.bump;
+    if (!normal.map) return node;
+    node.pattern.values = (*normal.map)->values;
+    uv &= !node.pattern.uv_mapping;
+    for (const Normal& child : (*normal.map)->normals) node.children.push_back(compile_normal(child, defaults, uv));
+    return node;
+}
+
+bool uses_uv(const PatternNode& node) { return node.uv_mapping || uses_uv(node.grey); }
+
+bool uses_uv(const PigmentTree& tree) {
+    return std::any_of(tree.begin(), tree.end(), [](const PigmentNode& node) { return node.surface && uses_uv(node.surface->pattern); });
+}
+
+bool uses_uv(const NormalNode& node) {
+    return uses_uv(node.pattern) ||
+           std::any_of(node.children.begin(), node.children.end(), [](const NormalNode& child) { return uses_uv(child); });
+}
+
+bool can_transmit(const PigmentTree& tree) {
+    const auto transparent_texel = [](const std::array<float, 4>& texel) { return texel[3] > 1e-10F; };
+    return std::any_of(tree.begin(), tree.end(), [&](const PigmentNode& node) {
+        if (!node.surface) return transmits(node.color);
+        const PigmentSurface& surface = *node.surface;
+        if (surface.image) {
+            const ImageMap& map = *surface.image;
+            return map.mapping.once || transmits({Rgb(0.0), map.filter, map.transmit}) ||
+                   std::any_of(map.image->texels.begin(), map.image->texels.end(), transparent_texel);
+        }
+        return surface.colors && std::any_of((*surface.colors)->colors.begin(), (*surface.colors)->colors.end(), transmits);
+    });
+}
+
+}  // namespace rt

@@ -1,0 +1,27 @@
+// Stated patterns, pigments and normals -> nodes.
+#pragma once
+
+#include "world/normal_node.h"
+
+namespace rt {
+
+/// What patterns take from the scene where they state nothing of their own.
+struct PatternDefaults {
+    NoiseGenerator noise = NoiseGenerator::range_corrected;
+    std::optional<std::vector<WaveSource>> sources;  ///< of ripples and waves; unset: those the pattern has
+};
+
+PatternDefaults pattern_defaults(const Scene& scene);
+
+/// `uv`: the surroundings say uv_mapping.
+PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& defaults, bool uv);
+PigmentTree compile_pigment(const Pigment& pigment, const PatternDefaults& defaults, bool uv);
+NormalNode compile_normal(const Normal& normal, const PatternDefaults& defaults, bool uv);
+
+bool uses_uv(const PatternNode& node);
+bool uses_uv(const PigmentTree& tree);
+bool uses_uv(const NormalNode& node);
+/// Whether some colour that the tree can show lets light pass.
+bool can_transmit(const PigmentTree& tree);
+
+}  // namespace rt

@@ -1,0 +1,199 @@
+// Patterns with their maps and modifiers, normals, patterns of textures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/scene/checkers.h"
+#include "tests/syntax/blocks_scene.h"
+
+namespace rt {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Object only(const std::string& text) {
+    const ParsedScene parsed = parse_block(text);
+    if (!parsed.error.empty()) throw std::runtime_error(parsed.error);
+    return parsed.scene.objects.at(0);
+}
+PatternPigment pigment(const std::string& body) { return pattern_of(layer(only("sphere { 0, 1 pigment { " + body + " } }")).pigment); }
+Normal normal(const std::string& body) { return **layer(only("sphere { 0, 1 normal { " + body + " } }")).normal; }
+std::string error_in_pigment(const std::string& body) { return parse_block("sphere { 0, 1 pigment { " + body + " } }").error; }
+std::string error_in_normal(const std::string& body) { return parse_block("sphere { 0, 1 normal { " + body + " } }").error; }
+const ColorMap& colors(const PatternPigment& p) { return *std::get<Shared<ColorMap>>(p.map); }
+
+TEST(PatternBlock, ColorMapsHaveNewAndOldEntries) {
+    const PatternPigment p = pigment("bozo color_map { [0, 0.4 color rgb 1, color rgb 0.5] [0.4 rgbt <1, 0, 0, 0.5>] }");
+    EXPECT_EQ(p.pattern.pattern.kind, PatternKind::bozo);
+    EXPECT_THAT(colors(p).values, ElementsAre(0.0, 0.4, 0.4));
+    EXPECT_EQ(colors(p).colors.at(1).rgb, Rgb(0.5));
+    EXPECT_EQ(colors(p).colors.at(2).transmit, 0.5);
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(pigment("granite").map)) << "the kind's own";
+}
+
+TEST(PatternBlock, MapsThatDoNotFitAreRefused) {
+    EXPECT_EQ(error_in_pigment("bozo color_map { }"), "Must have at least one color in color map.");
+    EXPECT_EQ(error_in_pigment("bozo pigment_map { }"), "Must have at least one entry in map.");
+    EXPECT_EQ(error_in_pigment("bozo color_map { [0 0.5 rgb 1 rgb 0] }"), "Expected 'color', color keyword 'rgb' found instead");
+    EXPECT_EQ(error_in_pigment("bozo color_map { [0 <1, 0, 0>] }"), "Expected 'color', < found instead");
+    EXPECT_EQ(error_in_pigment("checker color_map { [0 rgb 1] }"), "Cannot use color_map with this pattern type.");
+    EXPECT_EQ(error_in_pigment("rgb 1 pigment_map { [0 rgb 1] }"), "Cannot use pigment_map with this pattern type.");
+    EXPECT_EQ(error_in_pigment("average color_map { [0 rgb 1] }"), "Cannot use color_map with this pattern type.");
+    EXPECT_EQ(error_in_pigment("average"), "Average must have map.");
+    EXPECT_EQ(error_in_pigment("bozo texture_map { [0 pigment { rgb 1 }] }"),
+              "Keyword 'texture_map' can only be used in a texture statement.");
+    EXPECT_EQ(error_in_pigment("bozo slope_map { [0 <1, 1>] }"), "Keyword 'slope_map' can only be used in a normal statement.");
+    EXPECT_EQ(error_in_normal("bozo color_map { [0 rgb 1] }"), "Keyword 'color_map' can only be used in a pigment statement.");
+}
+
+TEST(PatternBlock, ADeclaredPatternTakesAnotherMap) {
+    const Object o = only(
+        "#declare M = color_map { [0 rgb 0.25] } #declare P = pigment { wood turbulence 0.5 scale 2 color_map { [0 rgb 1] } } "
+        "sphere { 0, 1 pigment { P color_map { M } rotate 90*z } }");
+    const PatternPigment& p = pattern_of(layer(o).pigment);
+    EXPECT_EQ(colors(p).colors.at(0).rgb, Rgb(0.25));
+    EXPECT_EQ(p.pattern.pattern.turbulence->amount, Vec3(0.5));
+    EXPECT_NEAR(std::get<Transform>(p.pattern.pattern.warps.at(0)).point({1, 0, 0}).y, 2.0, 1e-12);
+    EXPECT_EQ(parse_block("#declare M = color_map { [0 rgb 1] } sphere { 0, 1 pigment { bozo color_map { M [1 rgb 0] } } }").error,
+              "No matching } in 'color_map', [ found instead");
+}
+
+TEST(PatternBlock, NumbersOfThePattern) {
+    const Pattern p = pigment(
+                          "crackle form <1, 0, 0> metric 1 offset 0.5 solid turbulence <1, 2, 3> octaves 20 omega 0.3 lambda 3 "
+                          "frequency 2 phase 0.5 poly_wave 3 noise_generator 1")
+                          .pattern.pattern;
+    EXPECT_EQ(std::get<CrackleNumbers>(p.numbers), (CrackleNumbers{1.0, 0.5, {1, 0, 0}, true}));
+    EXPECT_EQ(p.turbulence, (Turbulence{{1, 2, 3}, 10, 0.3F, 3.0F}));
+    EXPECT_EQ(p.frequency, 2.0F);
+    EXPECT_EQ(p.phase, 0.5F);
+    EXPECT_EQ(p.wave, WaveType::poly);
+    EXPECT_EQ(p.wave_exponent, 3.0F);
+    EXPECT_EQ(p.noise, NoiseGenerator::original);
+    EXPECT_EQ(std::get<GradientNumbers>(pigment("gradient 2*y").pattern.pattern.numbers).direction, Vec3(0, 2, 0));
+    EXPECT_EQ(std::get<SpiralNumbers>(pigment("spiral1 3").pattern.pattern.numbers).arms, 3);
+    EXPECT_EQ(std::get<BrickNumbers>(pigment("brick rgb 1 rgb 0 brick_size 2 mortar 0.25").pattern.pattern.numbers),
+              (BrickNumbers{Vec3(2.0), 0.25}));
+}
+
+TEST(PatternBlock, NumbersOfOtherPatternsAreRefused) {
+    EXPECT_EQ(error_in_pigment("bozo agate_turb 1"), "Keyword 'agate_turb' cannot be used with non-agate.");
+    EXPECT_EQ(error_in_pigment("bozo mortar 1"), "Keyword 'mortar' cannot be used with non-brick.");
+    EXPECT_EQ(error_in_pigment("bozo metric 1"), "Keyword 'metric' can only be used in a facets or crackle statement.");
+    EXPECT_EQ(error_in_pigment("bozo form 1"), "Keyword 'form' can only be used in a crackle or pavement statement.");
+    EXPECT_EQ(error_in_pigment("bozo control0 1"), "Keyword 'control0' cannot be used with this pattern.");
+    EXPECT_EQ(error_in_pigment("bozo exterior 1, 2"),
+              "Keyword 'exterior' can only be used in a mandel, julia, magnet or pavement statement.");
+    EXPECT_EQ(error_in_pigment("bozo noise_generator 4"), "Value for noise_generator must be 0, 1, 2, or 3.");
+    EXPECT_EQ(error_in_pigment("magnet 3 mandel 5"), "Invalid magnet-mandel pattern type found. Valid types are 1 and 2.");
+    EXPECT_EQ(error_in_pigment("facets"), "Keyword 'facets' can only be used in a normal statement.");
+    EXPECT_EQ(error_in_pigment("bozo accuracy 1"), "accuracy can only be used with normal patterns.");
+    EXPECT_EQ(error_in_pigment("tiling 3"), "'tiling' is not modelled.");
+}
+
+TEST(PatternBlock, WarpsKeepTheirPlaceInTheChain) {
+    const std::vector<Warp> warps =
+        pigment("bozo scale 2 warp { repeat 3*y offset x flip z } translate x rotate 10*y warp { turbulence 1 octaves 2 }")
+            .pattern.pattern.warps;
+    ASSERT_EQ(warps.size(), 4u);
+    EXPECT_TRUE(std::holds_alternative<Transform>(warps[0]));
+    EXPECT_EQ(std::get<RepeatWarp>(warps[1]), (RepeatWarp{1, 3.0F, {1, 0, 0}, {0, 0, 1}}));
+    EXPECT_TRUE(std::holds_alternative<Transform>(warps[2])) << "two steps in one";
+    EXPECT_EQ(std::get<Turbulence>(warps[3]).octaves, 2);
+    EXPECT_EQ(error_in_pigment("bozo warp { repeat 0 }"), "No axis specified in repeat.");
+    EXPECT_EQ(error_in_pigment("bozo warp { repeat <1, 1, 0> }"), "Can only repeat along 1 axis.");
+    EXPECT_EQ(error_in_pigment("bozo warp { }"), "Expected 'warp type', } found instead");
+}
+
+TEST(NormalBlock, AmountAccuracyAndSlopes) {
+    EXPECT_EQ(normal("bumps").bump.amount, 0.5F);
+    EXPECT_EQ(normal("bumps, -0.25").bump.amount, -0.25F);
+    EXPECT_EQ(normal("bumps 2 bump_size 3").bump.amount, 3.0F);
+    const Normal n = normal("bozo 1 accuracy 0.1 no_bump_scale slope_map { [0 <0, 1>] [1 <1, 2>] }");
+    EXPECT_EQ(n.bump.accuracy, 0.1F);
+    EXPECT_FALSE(n.bump.scale);
+    EXPECT_EQ(n.bump.slopes, (std::vector<SlopeEntry>{{0, 0, 1}, {1, 1, 2}}));
+    EXPECT_EQ(error_in_normal(""), "No normal type given.");
+    EXPECT_EQ(error_in_normal("rgb 1"), "Keyword 'color' can only be used in a pigment or density statement.");
+    EXPECT_EQ(error_in_normal("average"), "Average must have map.");
+}
+
+TEST(NormalBlock, ASecondBlockEditsAndDeclaredOnesAreCopied) {
+    const Object o = only("sphere { 0, 1 normal { bumps 2 } normal { bump_size 1 scale 3 } }");
+    EXPECT_EQ((*layer(o).normal)->pattern.pattern.kind, PatternKind::bumps);
+    EXPECT_EQ((*layer(o).normal)->bump.amount, 1.0F);
+    const Object declared = only("#declare N = normal { dents 2 } sphere { 0, 1 normal { N scale 2 } }");
+    EXPECT_EQ((*layer(declared).normal)->pattern.pattern.kind, PatternKind::dents);
+    EXPECT_EQ(moved((*layer(declared).normal)->pattern.pattern, Vec3(1.0)), Vec3(2.0));
+    const Normal mapped = normal("gradient x normal_map { [0 bumps 1] [1 average normal_map { [1 dents] [2 waves] }] }");
+    EXPECT_EQ((*mapped.map)->normals.at(1).pattern.pattern.kind, PatternKind::average);
+}
+
+TEST(TextureBlock, PatternsOfTexturesNeedAMap) {
+    const Object o = only("sphere { 0, 1 texture { gradient y texture_map { [0 pigment { rgb 1 }] [1 checker] } scale 2 } }");
+    const PatternTexture& p = pattern_of((*o.texture)->at(0));
+    EXPECT_EQ(p.pattern.pattern.kind, PatternKind::gradient);
+    EXPECT_THAT(p.map->values, ElementsAre(0.0, 1.0));
+    EXPECT_EQ(parse_block("sphere { 0, 1 texture { bozo } }").error, "Patterned texture must have texture_map.");
+    EXPECT_EQ(parse_block("sphere { 0, 1 texture { bozo texture_map { [0 texture { }] } } }").error, "Expected ']', texture found instead");
+    EXPECT_EQ(parse_block("sphere { 0, 1 texture { checker pigment { rgb 1 } } }").error,
+              "No matching } in 'texture', pigment found instead");
+}
+
+TEST(TextureBlock, MotionReachesPatternsButNotThoseOnTheSurface) {
+    const Object o = only("sphere { 0, 1 pigment { bozo } normal { bumps scale 2 } translate x }");
+    EXPECT_EQ(moved(layer(o).pigment, Vec3(0.0)), Vec3(1, 0, 0));
+    EXPECT_EQ(moved((*layer(o).normal)->pattern.pattern, Vec3(1.0)), Vec3(3, 2, 2));
+    const Object uv = only("sphere { 0, 1 pigment { uv_mapping bozo scale 2 } normal { bumps } translate x }");
+    EXPECT_EQ(moved(layer(uv).pigment, Vec3(1.0)), Vec3(2.0));
+    EXPECT_EQ(moved((*layer(uv).normal)->pattern.pattern, Vec3(0.0)), Vec3(1, 0, 0));
+}
+
+TEST(Surroundings, AreReadAndRefused) {
+    const ParsedScene p = parse_block(
+        "sky_sphere { pigment { gradient y } pigment { rgbt 1 } emission 2 scale 2 } fog { distance 5 rgb 0.5 fog_type 2 fog_alt 2 } "
+        "rainbow { direction z angle 20 width 5 distance 9 arc_angle 100 color_map { [0 rgb 1] } }");
+    EXPECT_EQ(p.error, "");
+    ASSERT_TRUE(p.scene.sky_sphere);
+    EXPECT_EQ(p.scene.sky_sphere->pigments.size(), 2u);
+    EXPECT_EQ(moved(p.scene.sky_sphere->pigments[0], Vec3(1.0)), Vec3(2.0));
+    EXPECT_EQ(p.scene.fogs.at(0).type, Fog::Type::ground);
+    EXPECT_EQ(p.scene.rainbows.at(0).arc_angle, 50.0) << "to each side";
+    EXPECT_EQ(parse_block("sky_sphere { }").error, "Empty sky_sphere statement.");
+    EXPECT_EQ(parse_block("rainbow { }").error, "Rainbow's direction vector is zero.");
+    EXPECT_EQ(parse_block("rainbow { direction y }").error, "Rainbow's up and direction vector are co-linear.");
+    EXPECT_THAT(parse_block("sky_sphere { pigment { rgb 1 } } sky_sphere { pigment { rgb 1 } }").messages,
+                ElementsAre(HasSubstr("Only one sky-sphere allowed (last one will be used).")));
+    EXPECT_THAT(parse_block("fog { fog_type 3 }").messages, ElementsAre(HasSubstr("Unknown fog type.")));
+}
+
+/// A picture of two texels, a red one and a half transparent grey one.
+std::optional<PictureFile> two_texels(const std::string& path) {
+    if (path != "two.png") return std::nullopt;
+    return PictureFile{2, 1, 4, 255, {255, 0, 0, 255, 51, 51, 51, 51}, std::nullopt};
+}
+
+TEST(PictureBlock, ImageMapsHoldLinearColours) {
+    ParseOptions options;
+    options.read_picture = two_texels;
+    const ParsedScene p = parse_block(
+        "sphere { 0, 1 pigment { image_map { png \"two.png\" gamma 2 once interpolate 2 map_type 1 "
+        "filter all 0.25 } } }",
+        options);
+    EXPECT_EQ(p.error, "");
+    const auto map = std::get<Shared<ImageMap>>(pattern_of(layer(p.scene.objects.at(0)).pigment).map);
+    EXPECT_EQ(map->image->texels.at(0), (std::array<float, 4>{1, 0, 0, 0}));
+    EXPECT_FLOAT_EQ(map->image->texels.at(1)[0], 0.04F);
+    EXPECT_FLOAT_EQ(map->image->texels.at(1)[3], 0.8F);
+    EXPECT_EQ(map->filter, 0.25);
+    EXPECT_EQ(map->mapping, (ImageMapping{1, 2, true, Vec2(0.0), Vec2(1.0)}));
+    const auto error = [&](const std::string& inside) {
+        return parse_block("sphere { 0, 1 pigment { image_map { " + inside + " } } }", options).error;
+    };
+    EXPECT_EQ(error("png \"two.png\" map_type 4"), "Invalid map_type value.");
+    EXPECT_EQ(error("png \"two.png\" interpolate 1"), "Invalid interpolate value.");
+    EXPECT_EQ(error("png \"none.png\""), "Cannot find image file.");
+}
+
+}  // namespace
+}  // namespace rt
