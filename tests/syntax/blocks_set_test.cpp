@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/source.h"
+#include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
 namespace rt {
@@ -98,8 +99,8 @@ TEST(Sets, AWholesTextureMovesWithItAndAPartsWithBoth) {
     const ParsedScene p = parse_block(
         "union { sphere { 0, 1 pigment { checker rgb 0 rgb 1 } translate x } sphere { 0, 1 } pigment { checker rgb 0 rgb 1 } translate y "
         "}");
-    EXPECT_EQ(layer(p.scene.objects[0]).pigment.transform->point(Vec3(0.0)), Vec3(1, 1, 0));
-    EXPECT_EQ(layer(p.scene.objects[1]).pigment.transform->point(Vec3(0.0)), Vec3(0, 1, 0));
+    EXPECT_EQ(moved(layer(p.scene.objects[0]).pigment, Vec3(0.0)), Vec3(1, 1, 0));
+    EXPECT_EQ(moved(layer(p.scene.objects[1]).pigment, Vec3(0.0)), Vec3(0, 1, 0));
 }
 
 TEST(Sets, PartsHaveTheFlagsOfTheWhole) {

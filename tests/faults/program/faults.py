@@ -18,9 +18,9 @@ ENCODING = "commands/job/encoding.cpp"
 U = (CAMERA, "u = [[x / width - 0.5]];")
 V = (CAMERA, "v = [[0.5 - y / height]];")
 MIRROR_DIRECTION = (COURSE, "unit([[reflect(path.ray.direction, point.side)]])")
-POVRAY_MIRROR_DIRECTION = (POVRAY, "const Vec3 direction = [[reflect(surface.at.direction, surface.at.normal)]];")
+POVRAY_MIRROR_DIRECTION = (POVRAY, "const Vec3 direction = [[reflect_bumped(surface.at.direction, mirror.normal, surface.at.normal)]];")
 RATIO = (COURSE, "ratio = [[point.inside() ? surface.ior : 1.0 / surface.ior]];")
-POVRAY_RATIO = (POVRAY, "surface.at.normal, [[surface.crossing.ratio]]);")
+POVRAY_RATIO = (POVRAY, "surface.at.direction), [[surface.crossing.ratio]]);")
 FURTHER_OFFSET = (COURSE, "point.at + [[CourseRules::offset]] * direction, direction},\n              .kind = mirror ?")
 SHADOW_OFFSET = (COURSE, "start = point.at + [[CourseRules::offset]] * point.side;")
 LEAVE = (DISTANCES, "return [[at.point + (dot(at.side, direction) < 0.0 ? -at.error : at.error) * at.side]];")
@@ -121,7 +121,7 @@ FAULTS = {
         "transparent objects cast no shadows",
         [
             (COURSE, "return [[!world_.features.transmits || !world_.nearest(ray, between, RayKind::shadow, hit)]];", "true"),
-            (SHADOW, "light *= [[filtered(hit, point, ray.direction, normal)]];", "Rgb(1.0)"),
+            (SHADOW, "light *= [[filtered(hit, point, ray.direction, facing)]];", "Rgb(1.0)"),
         ],
     ),
     "shadow_from_behind": (
@@ -203,7 +203,7 @@ FAULTS = {
         "the mirrored direction has the wrong sign",
         [
             (*MIRROR_DIRECTION, "-reflect(path.ray.direction, point.side)"),
-            (*POVRAY_MIRROR_DIRECTION, "-reflect(surface.at.direction, surface.at.normal)"),
+            (*POVRAY_MIRROR_DIRECTION, "-reflect_bumped(surface.at.direction, mirror.normal, surface.at.normal)"),
         ],
     ),
     "no_ambient": (
@@ -269,7 +269,7 @@ FAULTS = {
         "a surface's own light is not weakened by what it mirrors and lets through",
         [(COURSE, f"light.{part} *= [[shares.local]]", "1.0") for part in ("ambient", "diffuse", "specular")],
     ),
-    "no_background": ("rays that leave the scene bring nothing", [(POVRAY, ": [[world_.background]];", "Rgb(0.0)")]),
+    "no_background": ("rays that leave the scene bring nothing", [(POVRAY, "Rgb light = [[world_.background]];", "Rgb(0.0)")]),
     "gamma_twice": (
         "the picture's values are encoded for a screen once more",
         [
