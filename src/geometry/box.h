@@ -60,6 +60,10 @@ inline Vec3 normal(const Box&, const Vec3&, const ShapeHit& hit) {
     return {axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, axis == 2 ? side : 0.0};
 }
 
+inline bool contains(const Box& shape, const Vec3& p) {
+    return p.x > shape.min.x && p.x < shape.max.x && p.y > shape.min.y && p.y < shape.max.y && p.z > shape.min.z && p.z < shape.max.z;
+}
+
 inline Bounds bounds(const Box& shape) { return {shape.min, shape.max}; }
 
 }  // namespace rt

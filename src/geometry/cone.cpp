@@ -133,6 +133,14 @@ Vec3 normal(const Cone& shape, const Vec3& point, const ShapeHit& hit) {
     return perp / distance - (growth / axis2) * axis;
 }
 
+bool contains(const Cone& shape, const Vec3& point) {
+    const Vec3 axis = shape.cap - shape.base;
+    const Vec3 from_base = point - shape.base;
+    const double along = dot(from_base, axis) / dot(axis, axis);
+    if (!(along > 0.0 && along < 1.0)) return false;
+    return length(from_base - along * axis) < std::fabs(shape.base_radius + along * (shape.cap_radius - shape.base_radius));
+}
+
 Bounds bounds(const Cone& shape) {
     const Vec3 axis = shape.cap - shape.base;
     const Vec3 w2 = axis * axis / dot(axis, axis);

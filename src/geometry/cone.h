@@ -17,6 +17,8 @@ struct Cone {
 
 bool intersect(const Cone& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
 Vec3 normal(const Cone& shape, const Vec3& point, const ShapeHit& hit);
+/// An open cone is closed by its caps here.
+bool contains(const Cone& shape, const Vec3& point);
 Bounds bounds(const Cone& shape);
 
 }  // namespace rt

@@ -27,6 +27,9 @@ inline bool intersect(const Disc& shape, const Ray& ray, const Interval& range, 
 
 inline Vec3 normal(const Disc& shape, const Vec3&, const ShapeHit&) { return shape.normal; }
 
+/// The half space behind the disc.
+inline bool contains(const Disc& shape, const Vec3& p) { return dot(p - shape.center, shape.normal) < 0.0; }
+
 Bounds bounds(const Disc& shape);
 
 }  // namespace rt

@@ -27,6 +27,7 @@ struct Mesh {
     bool operator==(const Mesh&) const = default;
 };
 
+inline bool contains(const Mesh&, const Vec3&) { return false; }
 Bounds bounds(const Mesh& shape);
 
 }  // namespace rt

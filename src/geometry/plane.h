@@ -21,6 +21,9 @@ struct Plane {
 
 inline Vec3 normal(const Plane& shape, const Vec3&, const ShapeHit&) { return shape.normal; }
 
+/// With POV-Ray's tolerance: the plane itself counts as inside.
+inline bool contains(const Plane& shape, const Vec3& p) { return dot(p, shape.normal) - shape.distance < 1e-10; }
+
 inline Bounds bounds(const Plane&) { return Bounds::everything(); }
 
 }  // namespace rt

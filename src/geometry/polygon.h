@@ -14,6 +14,7 @@ struct Polygon {
 
 bool intersect(const Polygon& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
 Vec3 normal(const Polygon& shape, const Vec3& point, const ShapeHit& hit);
+inline bool contains(const Polygon&, const Vec3&) { return false; }
 Bounds bounds(const Polygon& shape);
 
 }  // namespace rt

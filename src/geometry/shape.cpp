@@ -19,6 +19,11 @@ struct NameOf {
 
 }  // namespace
 
+bool is_sheet(const Shape& shape) {
+    return std::holds_alternative<Triangle>(shape) || std::holds_alternative<SmoothTriangle>(shape) ||
+           std::holds_alternative<Polygon>(shape) || std::holds_alternative<Mesh>(shape);
+}
+
 const char* name(const Shape& shape) { return std::visit(NameOf{}, shape); }
 
 }  // namespace rt

@@ -39,6 +39,8 @@ struct Sphere {
 
 inline Vec3 normal(const Sphere& shape, const Vec3& point, const ShapeHit&) { return point - shape.center; }
 
+inline bool contains(const Sphere& shape, const Vec3& p) { return dot(p - shape.center, p - shape.center) < sqr(shape.radius); }
+
 inline Bounds bounds(const Sphere& shape) {
     const Vec3 r(std::fabs(shape.radius));
     return rounded_outward({shape.center - r, shape.center + r});

@@ -152,6 +152,11 @@ Vec3 normal(const Torus& shape, const Vec3& point, const ShapeHit&) {
     return {point.x * from_circle, point.y, point.z * from_circle};
 }
 
+bool contains(const Torus& shape, const Vec3& point) {
+    const double from_circle = std::sqrt(sqr(point.x) + sqr(point.z)) - std::fabs(shape.major_radius);
+    return sqr(from_circle) + sqr(point.y) < sqr(shape.minor_radius);
+}
+
 Bounds bounds(const Torus& shape) {
     const double r = std::fabs(shape.minor_radius);
     const double reach = std::fabs(shape.major_radius) + r;

@@ -14,6 +14,8 @@ struct Torus {
 
 bool intersect(const Torus& shape, const Ray& ray, const Interval& range, ShapeHit& hit);
 Vec3 normal(const Torus& shape, const Vec3& point, const ShapeHit& hit);
+/// Within the tube; where the tube meets itself around the axis, there too.
+bool contains(const Torus& shape, const Vec3& point);
 Bounds bounds(const Torus& shape);
 
 }  // namespace rt

@@ -94,6 +94,9 @@ inline Vec3 normal(const SmoothTriangle& shape, const Vec3&, const ShapeHit& hit
     return (1.0 - hit.u - hit.v) * shape.normal_a + hit.u * shape.normal_b + hit.v * shape.normal_c;
 }
 
+inline bool contains(const Triangle&, const Vec3&) { return false; }
+inline bool contains(const SmoothTriangle&, const Vec3&) { return false; }
+
 Bounds bounds(const Triangle& shape);
 Bounds bounds(const SmoothTriangle& shape);
 

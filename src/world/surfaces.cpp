@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "world/inside.h"
-
 namespace rt {
 
 namespace {
@@ -113,9 +111,9 @@ bool encloses(const Surfaces& all, const Surface& surface, const Vec3& point) {
     if (s.kind == SurfaceKind::plane) return dot(point, all.planes[s.first].normal) < all.planes[s.first].distance;
     return visit_shape(all, s, [&](const auto& shape) {
         if constexpr (is_placed<std::decay_t<decltype(shape)>>)
-            return inside(shape.shape, shape.moved ? shape.to_world.inverse_point(point) : point);
+            return rt::contains(shape.shape, shape.moved ? shape.to_world.inverse_point(point) : point);
         else
-            return inside(shape, point);
+            return rt::contains(shape, point);
     });
 }
 
@@ -305,7 +303,7 @@ bool Surfaces::met_from_inside(const Hit& hit, const Vec3& point, const Vec3& di
 bool Surfaces::contains(std::uint32_t object, const Vec3& point) const {
     const Surface& s = objects[object];
     const Surface& whole = body(s);
-    const bool in = whole.kind == SurfaceKind::plane ? inside(planes[whole.first], point) : encloses(*this, s, point);
+    const bool in = whole.kind == SurfaceKind::plane ? rt::contains(planes[whole.first], point) : encloses(*this, s, point);
     if (is_sheet(whole.kind) || in == s.inverse) return false;
     return !s.part || sets.surrounds(object, point, SurfaceBodies(*this));
 }

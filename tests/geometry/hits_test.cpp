@@ -1,0 +1,78 @@
+// All hits of a ray with a solid, and its inside: each hit but those of a tube's inner side is where the ray enters or leaves.
+#include "geometry/hits.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/shape.h"
+#include "tests/geometry/quad.h"
+
+namespace rt::test {
+namespace {
+
+std::vector<double> all_hits(const auto& shape, const Ray& ray) {
+    std::vector<double> ts;
+    visit_hits(shape, ray, {-infinity, infinity}, [&](const ShapeHit& hit) {
+        ts.push_back(hit.t);
+        return false;
+    });
+    return ts;
+}
+
+/// Random rays at the solid: between two hits in a row the inside is the other of what it was before.
+template <typename S>
+void check_inside(const S& shape, double size, unsigned seed) {
+    Random random(seed);
+    const Bounds b = bounds(shape);
+    const Vec3 center = b.is_finite() ? 0.5 * (b.min + b.max) : Vec3(0.0);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Ray ray = aimed_at(center + random.in_cube(size), size, random);
+        std::vector<double> ts = all_hits(shape, ray);
+        if (ts.empty()) continue;
+        ++met;
+        const double reach = 10.0 * size / length(ray.direction);
+        ts.insert(ts.begin(), ts.front() - reach);
+        ts.push_back(ts.back() + reach);
+        for (std::size_t k = 2; k < ts.size(); ++k) {
+            ASSERT_LT(ts[k - 1], ts[k]);
+            const double before = 0.5 * (ts[k - 2] + ts[k - 1]), behind = 0.5 * (ts[k - 1] + ts[k]);
+            ASSERT_NE(contains(shape, ray.at(before)), contains(shape, ray.at(behind))) << "ray " << i << " hit " << k - 1;
+        }
+    }
+    ASSERT_GT(met, 100);
+}
+
+TEST(Hits, ParityIsTheInside) {
+    check_inside(Sphere{{1, 2, 3}, 2.0}, 4.0, 1);
+    check_inside(Plane{unit(Vec3(1, 2, 3)), 2.0}, 4.0, 2);
+    check_inside(Box{{-1, -2, 0}, {1, 3, 0.5}}, 4.0, 3);
+    check_inside(Cone{{0, 0, 0}, 1.0, {1, 2, 3}, 0.25, false}, 4.0, 4);
+    check_inside(Cone{{0, -1, 0}, 1.0, {0, 2, 0}, 1.0, false}, 4.0, 5);
+    check_inside(Cone{{0, -1, 0}, 1.0, {0, 2, 0}, -0.5, false}, 4.0, 6);
+    check_inside(Torus{1.0, 0.25}, 1.5, 7);
+    check_inside(Disc{{0, 0, 0}, {0, 1, 0}, 100.0, 0.0}, 4.0, 8);
+}
+
+TEST(Hits, EndWhereTheVisitorSaysSo) {
+    int visits = 0;
+    const auto first = [&](const ShapeHit&) { return ++visits == 1; };
+    EXPECT_TRUE(visit_hits(Sphere{}, {{-3, 0, 0}, {1, 0, 0}}, {}, first));
+    EXPECT_EQ(visits, 1);
+    EXPECT_FALSE(visit_hits(Sphere{}, {{-3, 0, 0}, {1, 0, 0}}, {}, [](const ShapeHit&) { return false; }));
+    EXPECT_EQ(all_hits(Sphere{}, {{-3, 0, 0}, {1, 0, 0}}), (std::vector<double>{2, 4}));
+    EXPECT_EQ(all_hits(Torus{1.0, 0.25}, {{-3, 0, 0}, {1, 0, 0}}), (std::vector<double>{1.75, 2.25, 3.75, 4.25}));
+}
+
+TEST(Hits, SheetsHaveNoInside) {
+    EXPECT_TRUE(is_sheet(Triangle{}));
+    EXPECT_TRUE(is_sheet(SmoothTriangle{}));
+    EXPECT_TRUE(is_sheet(Polygon{}));
+    EXPECT_TRUE(is_sheet(Mesh{}));
+    EXPECT_FALSE(is_sheet(Disc{}));
+    EXPECT_FALSE(is_sheet(Plane{}));
+    EXPECT_TRUE(contains(Disc{}, Vec3(50, -1, 0)));
+    EXPECT_FALSE(contains(Disc{}, Vec3(0, 1, 0)));
+}
+
+}  // namespace
+}  // namespace rt::test
