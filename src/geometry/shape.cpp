@@ -15,6 +15,7 @@ struct NameOf {
     const char* operator()(const SmoothTriangle&) const { return "smooth_triangle"; }
     const char* operator()(const Polygon&) const { return "polygon"; }
     const char* operator()(const Mesh&) const { return "mesh"; }
+    const char* operator()(const FurtherShape& shape) const { return name(shape); }
 };
 
 }  // namespace

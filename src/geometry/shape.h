@@ -15,6 +15,7 @@
 #include "geometry/box.h"
 #include "geometry/cone.h"
 #include "geometry/disc.h"
+#include "geometry/further_shape.h"
 #include "geometry/mesh.h"
 #include "geometry/plane.h"
 #include "geometry/polygon.h"
@@ -24,7 +25,7 @@
 
 namespace rt {
 
-using Shape = std::variant<Sphere, Plane, Box, Cone, Torus, Disc, Triangle, SmoothTriangle, Polygon, Mesh>;
+using Shape = std::variant<Sphere, Plane, Box, Cone, Torus, Disc, Triangle, SmoothTriangle, Polygon, Mesh, FurtherShape>;
 
 /// The shape's name as a scene writes it: "sphere", "smooth_triangle", ... A cone with equal radii is a "cylinder".
 const char* name(const Shape& shape);

@@ -4,29 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "geometry/roots.h"
+
 namespace rt {
 
 namespace {
-
-/// Newton's method kept inside a bracket: `f` is monotone on [lo, hi] and `rising` or falling through zero there. Halves the bracket
-/// whenever a step leaves it or shrinks too slowly, so the number of steps is bounded. Accurate to `tolerance` or to the noise of `f`.
-template <typename F, typename D>
-double bracketed_root(double lo, double hi, bool rising, double tolerance, F f, D derivative) {
-    constexpr int most_steps = 100;
-    double x = 0.5 * (lo + hi);
-    double last_step = hi - lo;
-    for (int i = 0; i < most_steps; ++i) {
-        const double fx = f(x);
-        if (fx == 0.0) return x;
-        ((fx < 0.0) == rising ? lo : hi) = x;
-        double next = x - fx / derivative(x);
-        if (!(next > lo && next < hi && std::fabs(next - x) <= 0.5 * last_step)) next = 0.5 * (lo + hi);
-        last_step = std::fabs(next - x);
-        x = next;
-        if (!(last_step > tolerance)) return x;
-    }
-    return x;
-}
 
 /// The torus along a line whose direction is unit and whose point at s = 0 is the one nearest to the torus' centre. Then the quartic has
 /// no cubic term: s^4 + c2 s^2 + c1 s + c0.

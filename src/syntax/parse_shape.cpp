@@ -134,7 +134,7 @@ ParsedShape parse_smooth_triangle(Reader& reader) {
     return SmoothTriangle{corner[0], corner[1], corner[2], normal[0], normal[1], normal[2]};
 }
 
-constexpr std::array<ShapeSyntax, 12> shapes{{
+constexpr std::array<ShapeSyntax, 17> shapes{{
     {Word::sphere, parse_sphere},
     {Word::plane, parse_plane},
     {Word::box, parse_box},
@@ -147,6 +147,11 @@ constexpr std::array<ShapeSyntax, 12> shapes{{
     {Word::polygon, parse_polygon},
     {Word::mesh, parse_mesh, false, true},
     {Word::mesh2, parse_mesh2, false, true},
+    {Word::quadric, parse_quadric},
+    {Word::cubic, parse_cubic, true},
+    {Word::quartic, parse_quartic, true},
+    {Word::poly, parse_poly, true},
+    {Word::polynomial, parse_polynomial, true},
 }};
 
 }  // namespace

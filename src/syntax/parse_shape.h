@@ -20,6 +20,11 @@ const ShapeSyntax* find_shape(Word w);
 ParsedShape parse_mesh(Reader& reader);
 ParsedShape parse_mesh2(Reader& reader);
 ParsedShape parse_polygon(Reader& reader);
+ParsedShape parse_quadric(Reader& reader);
+ParsedShape parse_cubic(Reader& reader);
+ParsedShape parse_quartic(Reader& reader);
+ParsedShape parse_poly(Reader& reader);
+ParsedShape parse_polynomial(Reader& reader);
 
 /// Three corners span no plane: POV-Ray's test.
 bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c);

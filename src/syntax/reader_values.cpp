@@ -63,12 +63,12 @@ Vec3 Reader::parse_vector() {
 
 Vec2 Reader::parse_vector2() {
     Vec3 v;
-    if (const std::size_t size = state_->scan_plain({&v.x, 3}); size != 0) return size == 1 ? Vec2(v.x) : Vec2(v);
+    if (const std::size_t size = state_->scan_plain({&v.x, 2}); size != 0) return size == 1 ? Vec2(v.x) : Vec2(v);
     const Span first = peek().span;
     const Number n = Expression(*state_).sum();
     for (int i = 0; i < n.size; ++i) require_finite(*state_, first, n.v[i]);
     if (n.size == 1) return Vec2(n.v[0]);
-    if (n.size > 3) fail(state_->since(first), "Vector expected but color expression found.");
+    if (n.size > 2) fail(state_->since(first), "UV_Vector expected but vector or color expression found.");
     return {n.v[0], n.v[1]};
 }
 

@@ -54,7 +54,7 @@ namespace rt {
     X(type) X(u) X(u_steps) X(uint16be) X(uint16le) X(uint8) X(ultra_wide_angle) X(undef) X(union_) X(up) X(use_alpha) X(use_color) \
     X(use_colour) X(use_index) X(utf8) X(uv_indices) X(uv_mapping) X(uv_vectors) X(v) X(v_steps) X(val) X(variance) X(vaxis_rotate) \
     X(vcross) X(vdot) X(version) X(vertex_vectors) X(vlength) X(vnormalize) X(vrotate) X(vstr) X(vturbulence) X(warning) X(warp) \
-    X(water_level) X(waves) X(while_) X(width) X(wood) X(wrinkles) X(write) X(x) X(y) X(yes) X(z)
+    X(water_level) X(waves) X(while_) X(width) X(wood) X(wrinkles) X(write) X(x) X(xyz) X(y) X(yes) X(z)
 // clang-format on
 
 enum class Word : std::uint16_t {

@@ -34,7 +34,7 @@ void place(std::vector<Placed<S>>& list, const S& shape, const Transform& to_wor
 }
 
 /// Shapes that POV-Ray leaves as they are when told `inverse`.
-bool is_sheet(const Shape& shape) {
+bool ignores_inverse(const Shape& shape) {
     return std::holds_alternative<Triangle>(shape) || std::holds_alternative<SmoothTriangle>(shape) ||
            std::holds_alternative<Polygon>(shape);
 }
@@ -115,9 +115,11 @@ void Surfaces::add_shape(const Object& object, const Transform& to_world, Surfac
                 place(toruses, shape, to_world, SurfaceKind::torus, s);
             } else if constexpr (std::is_same_v<S, Disc>) {
                 place(discs, shape, to_world, SurfaceKind::disc, s);
-            } else {
-                static_assert(std::is_same_v<S, Polygon>);
+            } else if constexpr (std::is_same_v<S, Polygon>) {
                 place(polygons, shape, to_world, SurfaceKind::polygon, s);
+            } else {
+                static_assert(std::is_same_v<S, FurtherShape>);
+                place(further, shape, to_world, SurfaceKind::further, s);
             }
         },
         object.shape);
@@ -133,7 +135,7 @@ void Surfaces::add_clip(const Object& clip) {
 void Surfaces::add(const Object& object, std::uint8_t seen) {
     Surface s;
     s.seen = seen;
-    s.inverse = object.inverse && !is_sheet(object.shape);
+    s.inverse = object.inverse && !ignores_inverse(object.shape);
     if (!objects.empty()) s.first_primitive = objects.back().first_primitive + objects.back().count;
     add_shape(object, object.transform.value_or(Transform{}), s);
     index32(std::size_t{s.first_primitive} + s.count);

@@ -43,6 +43,8 @@ auto visit_shape(const Surfaces& all, const Surface& s, F f) {
             return f(all.discs[s.first]);
         case SurfaceKind::polygon:
             return f(all.polygons[s.first]);
+        case SurfaceKind::further:
+            return f(all.further[s.first]);
         case SurfaceKind::part:
             return visit_shape(all, all.part_bodies[s.first], f);
         case SurfaceKind::triangles:

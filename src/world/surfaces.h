@@ -27,7 +27,7 @@ struct Placed {
 };
 
 /// Of a `part` of a set the shape is in `Surfaces::part_bodies`; parts made of triangles stay such.
-enum class SurfaceKind : std::uint8_t { sphere, plane, placed_sphere, box, cone, torus, disc, polygon, triangles, part };
+enum class SurfaceKind : std::uint8_t { sphere, plane, placed_sphere, box, cone, torus, disc, polygon, further, triangles, part };
 
 /// One object of the scene: where its shape lies among the arrays of `Surfaces`.
 struct Surface {
@@ -102,6 +102,7 @@ struct Surfaces {
     std::vector<Placed<Torus>> toruses;
     std::vector<Placed<Disc>> discs;
     std::vector<Placed<Polygon>> polygons;
+    std::vector<Placed<FurtherShape>> further;
     SetTable sets;
     std::vector<Surface> clips;  ///< bodies that only clip; of those without an inside nothing but their place
     /// Of each object where there are sets.

@@ -78,7 +78,7 @@ TEST(Words, EveryOneIsFoundAndNothingElse) {
         EXPECT_TRUE(seen.insert(text(word)).second) << text(word);
         ++count;
     }
-    EXPECT_EQ(count, 495);
+    EXPECT_EQ(count, 496);
     EXPECT_EQ(text(Word::union_), "union");
     EXPECT_EQ(find_word("default"), Word::default_);
     EXPECT_EQ(text(Word::none), "");

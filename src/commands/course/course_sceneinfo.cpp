@@ -36,6 +36,7 @@ struct ShapeLines {
     std::string operator()(const Mesh& s) const {
         return fmt::format("- Vertices: {}\n- Triangles: {}\n", s.data->vertices.size(), s.data->faces.size());
     }
+    std::string operator()(const FurtherShape&) const { return ""; }  // the course has none
 
 private:
     template <typename T>

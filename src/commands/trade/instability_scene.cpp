@@ -27,7 +27,8 @@ struct ScaleShape {
     void operator()(Polygon& s) const {
         for (Vec3& p : s.points) p *= factor;
     }
-    void operator()(Mesh&) const {}  // its vertices are shared: by its transform
+    void operator()(Mesh&) const {}          // its vertices are shared: by its transform
+    void operator()(FurtherShape&) const {}  // by its transform as well
 };
 
 /// The patterns of textures, larger by a factor. Textures that were shared stay so.
@@ -69,7 +70,7 @@ private:
 
 void scale(Object& object, double factor) {
     std::visit(ScaleShape{factor}, object.shape);
-    if (std::holds_alternative<Mesh>(object.shape)) {
+    if (std::holds_alternative<Mesh>(object.shape) || std::holds_alternative<FurtherShape>(object.shape)) {
         object.transform = object.transform.value_or(Transform{}).then(Transform::scale(Vec3(factor)));
     } else if (object.transform) {
         object.transform = between_scaled(*object.transform, factor);

@@ -1,0 +1,31 @@
+// Shapes that only some scenes use. The world keeps all of them in one list, so a new one is added here and to `find_shape` alone.
+#pragma once
+
+#include <variant>
+
+#include "geometry/poly.h"
+#include "geometry/quadric.h"
+
+namespace rt {
+
+using FurtherShape = std::variant<Quadric, Poly>;
+
+/// As a scene writes it.
+inline const char* name(const FurtherShape& shape) {
+    return std::visit([](const auto& one) { return one.word; }, shape);
+}
+
+inline void find_hits(const FurtherShape& shape, const Ray& ray, HitSink& sink) {
+    std::visit([&](const auto& one) { find_hits(one, ray, sink); }, shape);
+}
+inline Vec3 normal(const FurtherShape& shape, const Vec3& point, const ShapeHit& hit) {
+    return std::visit([&](const auto& one) { return normal(one, point, hit); }, shape);
+}
+inline bool contains(const FurtherShape& shape, const Vec3& point) {
+    return std::visit([&](const auto& one) { return contains(one, point); }, shape);
+}
+inline Bounds bounds(const FurtherShape& shape) {
+    return std::visit([](const auto& one) { return bounds(one); }, shape);
+}
+
+}  // namespace rt
