@@ -3,12 +3,18 @@
 
 #include <variant>
 
+#include "geometry/blob.h"
+#include "geometry/lathe.h"
 #include "geometry/poly.h"
+#include "geometry/prism.h"
 #include "geometry/quadric.h"
+#include "geometry/sor.h"
+#include "geometry/superellipsoid.h"
+#include "geometry/text.h"
 
 namespace rt {
 
-using FurtherShape = std::variant<Quadric, Poly>;
+using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid>;
 
 /// As a scene writes it.
 inline const char* name(const FurtherShape& shape) {

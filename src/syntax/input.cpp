@@ -170,16 +170,21 @@ std::optional<PictureFile> Reader::find_picture(std::string_view name) {
     return std::nullopt;
 }
 
-std::optional<std::string> Reader::find_bytes(std::string_view name) {
-    for (const std::string& folder : state_->search_folders())
-        if (auto found = read_file_text((std::filesystem::path(folder) / name).string(), state_->options.max_file_bytes)) return found;
-    return std::nullopt;
-}
-
 std::optional<std::uint32_t> Reader::State::find_include(const std::string& name) {
     for (const std::string& folder : search_folders())
         for (const char* extension : {"", ".inc"})
             if (const auto file = load((std::filesystem::path(folder) / (name + extension)).string())) return file;
+    return std::nullopt;
+}
+
+std::optional<std::string> Reader::read_file(const std::string& name, std::initializer_list<const char*> extensions) {
+    const ParseOptions& options = state_->options;
+    for (const std::string& folder : state_->search_folders()) {
+        for (const char* extension : extensions) {
+            const std::string path = (std::filesystem::path(folder) / (name + extension)).string();
+            if (auto bytes = options.read_include ? options.read_include(path) : read_file_text(path, options.max_file_bytes)) return bytes;
+        }
+    }
     return std::nullopt;
 }
 

@@ -122,7 +122,7 @@ Shared<ValueGrid> parse_density_file(Reader& reader) {
     reader.accept(Word::df3);
     const Span place = reader.peek().span;
     const std::string name = reader.parse_string();
-    const std::optional<std::string> bytes = reader.find_bytes(name);
+    const std::optional<std::string> bytes = reader.read_file(name, {""});
     if (!bytes) {
         reader.warn_possible(place, fmt::format("Cannot find file '{}', even after trying to append file type extension.", name));
         reader.fail(place, "Cannot read media density file.");

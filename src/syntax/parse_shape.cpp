@@ -134,7 +134,18 @@ ParsedShape parse_smooth_triangle(Reader& reader) {
     return SmoothTriangle{corner[0], corner[1], corner[2], normal[0], normal[1], normal[2]};
 }
 
-constexpr std::array<ShapeSyntax, 17> shapes{{
+/// POV-Ray takes exponents of zero and below as well, of which it shows nothing that could be foretold.
+ParsedShape parse_superellipsoid(Reader& reader) {
+    const Vec2 e = reader.parse_vector2();
+    const double least = 1e-3;
+    if (!(e.x > 0.0 && e.y > 0.0)) {
+        reader.warn(reader.peek().span, "The exponents of a superellipsoid are to be above 0. It is not visible.");
+        return std::nullopt;
+    }
+    return Superellipsoid{std::fmax(e.x, least), std::fmax(e.y, least)};
+}
+
+constexpr std::array<ShapeSyntax, 24> shapes{{
     {Word::sphere, parse_sphere},
     {Word::plane, parse_plane},
     {Word::box, parse_box},
@@ -152,6 +163,13 @@ constexpr std::array<ShapeSyntax, 17> shapes{{
     {Word::quartic, parse_quartic, true},
     {Word::poly, parse_poly, true},
     {Word::polynomial, parse_polynomial, true},
+    {Word::prism, parse_prism, true},
+    {Word::lathe, parse_lathe, true},
+    {Word::sor, parse_sor, true},
+    {Word::blob, parse_blob, true, true},
+    {Word::text, parse_text},
+    {Word::superellipsoid, parse_superellipsoid},
+    {Word::bicubic_patch, parse_bicubic_patch},
 }};
 
 }  // namespace

@@ -25,6 +25,12 @@ ParsedShape parse_cubic(Reader& reader);
 ParsedShape parse_quartic(Reader& reader);
 ParsedShape parse_poly(Reader& reader);
 ParsedShape parse_polynomial(Reader& reader);
+ParsedShape parse_prism(Reader& reader);
+ParsedShape parse_lathe(Reader& reader);
+ParsedShape parse_sor(Reader& reader);
+ParsedShape parse_blob(Reader& reader);
+ParsedShape parse_text(Reader& reader);
+ParsedShape parse_bicubic_patch(Reader& reader);
 
 /// Three corners span no plane: POV-Ray's test.
 bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -75,8 +75,10 @@ public:
     std::shared_ptr<const Function> parse_pattern_function();
     /// A file that the scene names, looked for as included files are; empty if there is none. Throws OptionError for what is no picture.
     std::optional<PictureFile> find_picture(std::string_view name);
-    std::optional<std::string> find_bytes(std::string_view name);
     void accept_comma();  ///< commas between parameters are optional
+
+    /// The bytes of a file that a scene names, found where included files are; the first of `extensions` that fits is appended to the name.
+    std::optional<std::string> read_file(const std::string& name, std::initializer_list<const char*> extensions);
 
     // --- names
     /// The declared value of the identifier that comes next if it holds a T (the token is taken), else null.

@@ -54,7 +54,7 @@ struct Reader::State : Reader::Cursor {
     void include(const Span& place, const std::string& name);
     /// The file that `name` means here: beside the including one, in the current folder, in the library paths, among those installed.
     std::optional<std::uint32_t> find_include(const std::string& name);
-    std::vector<std::string> search_folders() const;
+    std::vector<std::string> search_folders() const;  ///< in which a file is looked for that the current one names
     std::optional<std::uint32_t> load(const std::string& path);
     bool leave_frame();  ///< at the end of a file or macro; false if it was the main file
     /// Leaves what has ended as long as it is nested deeper than `frame_count` frames.

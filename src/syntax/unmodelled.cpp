@@ -7,10 +7,8 @@ namespace rt {
 
 namespace {
 
-constexpr std::initializer_list<Word> shapes{Word::bicubic_patch,  Word::blob,  Word::height_field, Word::isosurface,
-                                             Word::julia_fractal,  Word::lathe, Word::light_group,  Word::ovus,
-                                             Word::parametric,     Word::prism, Word::sor,          Word::sphere_sweep,
-                                             Word::superellipsoid, Word::text};
+constexpr std::initializer_list<Word> shapes{Word::height_field, Word::isosurface, Word::julia_fractal, Word::light_group,
+                                             Word::ovus,         Word::parametric, Word::sphere_sweep};
 
 constexpr std::initializer_list<Word> patterns{Word::pavement, Word::tiling};
 

@@ -44,6 +44,7 @@ PARTS = {
 LIBRARIES = {
     r"embree\d?/": r"world/embree_index\.cpp",
     r"png\.h": r"film/png\.cpp",
+    r"ft2build|freetype": r"syntax/font_file\.cpp",
     r"OpenImageIO/": r"film/oiio/.*",
     r"CLI/": r"commands/.*|main\.cpp",
     r"nlohmann/": r"commands/.*|grading/report.*",

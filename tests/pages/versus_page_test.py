@@ -42,7 +42,7 @@ class VersusPage(unittest.TestCase):
             "same.pov": SCENE,
             "moved.pov": SCENE.replace("-4*z", "<0.5, 0, -4>"),
             "</script>.pov".replace("/", "_"): SCENE + "fog { distance 3 rgb 1 }\n",
-            "two.pov": SCENE + "blob { threshold 1 sphere { 0, 1, 1 } }\nfog { distance 3 rgb 1 }\n",
+            "two.pov": SCENE + "ovus { 1, 0.5 }\nfog { distance 3 rgb 1 }\n",
         }
         (place / "scenes").mkdir()
         for name, text in scenes.items():
@@ -109,7 +109,7 @@ class VersusPage(unittest.TestCase):
 
     def test_what_is_not_modelled_says_where(self):
         self.show("scenes/two")
-        self.assertRegex(self.page.evaluate("byId('row-reason').textContent"), r"two\.pov:6:1: blob is not modelled")
+        self.assertRegex(self.page.evaluate("byId('row-reason').textContent"), r"two\.pov:6:1: ovus is not modelled")
         self.assertEqual(len(self.all("#pictures .pane")), 1)
 
     def test_rows_are_filtered_by_cause(self):

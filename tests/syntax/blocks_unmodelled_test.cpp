@@ -28,8 +28,8 @@ TEST(Unmodelled, IsAnErrorWithItsPlace) {
 
 TEST(Unmodelled, OnePassListsEverything) {
     EXPECT_THAT(features("media { density { spherical } } sphere { 0, 1 pigment { tiling 2 } texture { material_map { png \"a\" } } } "
-                         "union { sphere { 0, 1 } text { ttf \"a\" \"b\" 1, 0 } } sphere { 0, 1 normal { pavement } }"),
-                ElementsAre("media", "density", "tiling", "material_map", "text", "pavement"));
+                         "union { sphere { 0, 1 } ovus { 1, 0.5 } } sphere { 0, 1 normal { pavement } }"),
+                ElementsAre("media", "density", "tiling", "material_map", "ovus", "pavement"));
 }
 
 TEST(Unmodelled, SkippingStopsAtTheRightBrace) {

@@ -154,8 +154,7 @@ TEST_F(Versus, KnownPicturesAreNotMadeAgain) {
 TEST_F(Versus, RefusalsAreToldApart) {
     here.write("bad.pov", "sphere { 0, 1 pigmnt { rgb 1 } }\n");
     here.write("good.pov", shiny_scene);
-    here.write("mist.pov",
-               std::string(shiny_scene) + "fog { distance 3 rgb 1 }\nblob { threshold 1 sphere { 0, 1, 1 } }\nfog { distance 3 rgb 1 }\n");
+    here.write("mist.pov", std::string(shiny_scene) + "fog { distance 3 rgb 1 }\novus { 1, 0.5 }\nfog { distance 3 rgb 1 }\n");
     here.write("worse.pov", "\n\nsphere { 0, 1 pigmnt { rgb 1 } }\n");
     stand_in("case $scene in *mist*) cp $here/right.png $out;; *) echo \"File '$scene' line 1: Parse Error: no\"; exit 1;; esac");
     ASSERT_EQ(run({"good.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
