@@ -55,13 +55,29 @@ Blob three_blobs() {
     return Blob{data};
 }
 
+/// A ray beside this one meets the same part of the surface next to the hit, at a right angle to the normal.
+template <typename S>
+void check_normal(const S& shape, const Ray& ray, const ShapeHit& hit, const Vec3& n, double size, int& neighbours) {
+    const double step = 1e-6 * size;
+    for (const Vec3 aside : {Vec3(1, 2, 0), Vec3(0, 1, -2), Vec3(-2, 0, 1)}) {
+        ShapeHit other;
+        const double before = 100.0 * step / length(ray.direction);
+        if (!intersect(shape, {ray.origin + step * aside, ray.direction}, {hit.t - before, hit.t + before}, other) ||
+            other.part != hit.part)
+            continue;
+        const Vec3 across = ray.origin + step * aside + other.t * ray.direction - ray.at(hit.t);
+        EXPECT_LT(std::fabs(dot(unit(across), n)), 1e-3);
+        ++neighbours;
+    }
+}
+
 /// The distance of a point from the surface to first order: how far off the inside function is zero along the normal.
 template <typename S>
 void check_surface(const S& shape, double size, unsigned seed, double tolerance) {
     Random random(seed);
     const Bounds box = bounds(shape);
     const Vec3 middle = 0.5 * (box.min + box.max);
-    int hits = 0;
+    int hits = 0, neighbours = 0;
     for (int i = 0; i < 1500; ++i) {
         const Ray ray = aimed_at(middle + random.in_cube(size), size, random);
         visit_hits(shape, ray, {-infinity, infinity}, [&](const ShapeHit& hit) {
@@ -72,11 +88,13 @@ void check_surface(const S& shape, double size, unsigned seed, double tolerance)
             for (int k = 0; k < 3; ++k) EXPECT_TRUE(p[k] >= box.min[k] - error && p[k] <= box.max[k] + error) << "ray " << i;
             // On one side of the point the inside begins, on the other it ends.
             EXPECT_NE(contains(shape, p + error * n), contains(shape, p - error * n)) << "ray " << i << " t " << hit.t;
+            if (length(ray.origin) < 10.0 * size) check_normal(shape, ray, hit, n, size, neighbours);
             return testing::Test::HasFailure();
         });
         ASSERT_FALSE(testing::Test::HasFailure());
     }
     EXPECT_GT(hits, 300);
+    EXPECT_GT(neighbours, 200);
 }
 
 constexpr double rounding = 64 * 0x1p-53;
@@ -152,6 +170,10 @@ TEST(FurtherShapes, BlobFieldsByHand) {
     EXPECT_THAT(all_hits(Blob{data}, {{0.5, 3, 0}, {0, -1, 0}}), ElementsAre(DoubleNear(3 - r, 1e-15), DoubleNear(3 + r, 1e-15)));
     EXPECT_TRUE(contains(Blob{data}, {0.9, 0.7, 0}));
     EXPECT_FALSE(contains(Blob{data}, {0.9, 0.71, 0}));
+    // A component whose border is exactly where the sum reaches the threshold.
+    data.threshold = 0.5625;
+    data.components = {component(Vec3(0.0), Vec3(0.0), 1.0, 1.0), component({-1.5, 0, 0}, {-1.5, 0, 0}, 1.0, -1.0)};
+    EXPECT_THAT(all_hits(Blob{data}, {{-3, 0, 0}, {1, 0, 0}}), ElementsAre(DoubleNear(2.5, 1e-15), DoubleNear(3.5, 1e-15)));
     data.threshold = 2.0;
     EXPECT_THAT(all_hits(Blob{data}, {{-3, 0, 0}, {1, 0, 0}}), IsEmpty());
 }
@@ -164,6 +186,8 @@ TEST(FurtherShapes, SuperellipsoidsByHand) {
     EXPECT_THAT(all_hits(Superellipsoid{1, 1}, {{-3, 1.01, 0}, {1, 0, 0}}), IsEmpty());
     // Concave: |x|^(1/2) + |y|^(1/2) = 1 in the plane z = 0, on the diagonal x = y = 1/4.
     EXPECT_THAT(all_hits(Superellipsoid{4, 1}, {{-3, -3, 0}, {1, 1, 0}}), ElementsAre(DoubleNear(2.75, 1e-14), DoubleNear(3.25, 1e-14)));
+    // Along 2 x + y = 0.68 two of four hits lie in one octant, on the same side of the middle of the way through it.
+    EXPECT_EQ(all_hits(Superellipsoid{4, 1}, {{-1, 2.68, 0}, {1, -2, 0}}).size(), 4u);
 }
 
 TEST(Outlines, SplinesByTheirFormulas) {

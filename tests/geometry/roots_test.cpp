@@ -50,6 +50,7 @@ TEST(Roots, OfSimplePolynomials) {
 TEST(Roots, TouchingIsNoChangeAndATripleRootIsOne) {
     EXPECT_THAT(changes(with_roots({0.5, 0.5})), IsEmpty());
     EXPECT_THAT(changes(with_roots({0.3, 0.3, 0.9})), ElementsAre(DoubleNear(0.9, 1e-15)));
+    EXPECT_THAT(changes(with_roots({0.25, 0.25, 0.25, 0.25, 0.25})), testing::SizeIs(1));
     EXPECT_THAT(changes(with_roots({0.5, 0.5, 0.5})), ElementsAre(DoubleNear(0.5, 1e-5)));
     EXPECT_THAT(changes(with_roots({0.5, 0.5, 0.5, 0.5})), IsEmpty());
 }
