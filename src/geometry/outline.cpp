@@ -83,6 +83,22 @@ bool Outline::contains(const Vec2& p) const {
     return inside;
 }
 
+void turn_outwards(Outline& outline) {
+    constexpr double aside = 1e-7;
+    constexpr std::size_t most_work = 10'000'000;
+    const double step = aside * glm::length(outline.max - outline.min);
+    std::vector<CurvePiece>& pieces = outline.pieces;
+    std::size_t work = 0;
+    for (std::size_t first = 0, end = 0; first < pieces.size() && work < most_work; first = end, work += pieces.size()) {
+        for (end = first + 1; end < pieces.size() && pieces[end].points[0] == pieces[end - 1].points[3];) ++end;
+        const CurvePiece& piece = pieces[first + (end - first) / 2];
+        const Vec2 along = piece.tangent(0.5);
+        if (along == Vec2(0.0) || !outline.contains(piece.at(0.5) + step * glm::normalize(Vec2(along.y, -along.x)))) continue;
+        std::reverse(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.begin() + static_cast<std::ptrdiff_t>(end));
+        for (std::size_t i = first; i < end; ++i) std::reverse(pieces[i].points.begin(), pieces[i].points.end());
+    }
+}
+
 namespace {
 
 /// Whether the ray's line comes over the box of the outline between the sweep's heights, with some room.

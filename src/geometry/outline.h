@@ -47,6 +47,10 @@ struct Outline {
     bool operator==(const Outline&) const = default;
 };
 
+/// Turns each loop so that the outside is on its right, judged beside the middle of one of its pieces: where that is so for all of them,
+/// the normals of what is made of the outline point outwards. Of more loops than anybody draws some are left as they are.
+void turn_outwards(Outline& outline);
+
 /// An area moved along an axis across its plane between two heights: what prisms and letters are.
 struct Sweep {
     const Outline& outline;

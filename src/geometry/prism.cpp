@@ -49,13 +49,14 @@ void find_hits(const Prism& shape, const Ray& ray, HitSink& sink) {
     find_conic_walls(shape, ray, sink);
 }
 
-Vec3 normal(const Prism& shape, const Vec3&, const ShapeHit& hit) {
+Vec3 normal(const Prism& shape, const Vec3& point, const ShapeHit& hit) {
     if (hit.part < 2) return {0.0, hit.part == 0 ? -1.0 : 1.0, 0.0};
     const CurvePiece& piece = shape.outline->pieces[hit.part - 2];
     const Vec2 along = piece.tangent(hit.u);
     if (!shape.conic) return {along.y, 0.0, -along.x};
     const Vec2 p = piece.at(hit.u);
-    return cross(Vec3(p.x, 1.0, p.y), Vec3(along.x, 0.0, along.y));
+    const Vec3 right = cross(Vec3(p.x, 1.0, p.y), Vec3(along.x, 0.0, along.y));
+    return point.y < 0.0 ? -right : right;
 }
 
 bool contains(const Prism& shape, const Vec3& point) {

@@ -112,6 +112,7 @@ ParsedShape parse_prism(Reader& reader) {
         if (spline != Spline::bezier) reader.fail(reader.peek().span, "Too few points in prism.");
         return std::nullopt;
     }
+    turn_outwards(outline);
     prism.outline = std::move(outline);
     return prism;
 }

@@ -59,6 +59,7 @@ ParsedShape parse_lathe(Reader& reader) {
     Outline curve;
     for (const CurvePiece& piece : spline_pieces(spline, points)) curve.add(piece);
     if (curve.pieces.empty()) return std::nullopt;
+    turn_outwards(curve);
     return Lathe{std::move(curve)};
 }
 

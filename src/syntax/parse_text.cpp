@@ -59,6 +59,7 @@ std::vector<Glyph> set_line(Reader& reader, const FontFile& font, const std::u32
         }
         if ((pieces += shape.outline.size()) > most_pieces)
             reader.fail(reader.peek().span, "The outlines of this text have too many pieces.");
+        turn_outwards(glyph.outline);
         if (!glyph.outline.pieces.empty()) glyphs.push_back(std::move(glyph));
         pen += Vec2(shape.advance + kern, 0.0) + offset;
         before = number;

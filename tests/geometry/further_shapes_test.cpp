@@ -16,6 +16,7 @@ using testing::IsEmpty;
 Outline outline_of(const std::vector<CurvePiece>& pieces) {
     Outline outline;
     for (const CurvePiece& piece : pieces) outline.add(piece);
+    turn_outwards(outline);
     return outline;
 }
 
@@ -59,7 +60,7 @@ Blob three_blobs() {
 template <typename S>
 void check_normal(const S& shape, const Ray& ray, const ShapeHit& hit, const Vec3& n, double size, int& neighbours) {
     const double step = 1e-6 * size;
-    for (const Vec3 aside : {Vec3(1, 2, 0), Vec3(0, 1, -2), Vec3(-2, 0, 1)}) {
+    for (const Vec3& aside : {Vec3(1, 2, 0), Vec3(0, 1, -2), Vec3(-2, 0, 1)}) {
         ShapeHit other;
         const double before = 100.0 * step / length(ray.direction);
         if (!intersect(shape, {ray.origin + step * aside, ray.direction}, {hit.t - before, hit.t + before}, other) ||
@@ -86,8 +87,8 @@ void check_surface(const S& shape, double size, unsigned seed, double tolerance)
             const Vec3 n = unit(normal(shape, p, hit));
             const double error = hit_error(ray, hit.t, 2.0 * size) + tolerance * size;
             for (int k = 0; k < 3; ++k) EXPECT_TRUE(p[k] >= box.min[k] - error && p[k] <= box.max[k] + error) << "ray " << i;
-            // On one side of the point the inside begins, on the other it ends.
-            EXPECT_NE(contains(shape, p + error * n), contains(shape, p - error * n)) << "ray " << i << " t " << hit.t;
+            // The normal points out of the inside.
+            EXPECT_TRUE(contains(shape, p - error * n) && !contains(shape, p + error * n)) << "ray " << i << " t " << hit.t;
             if (length(ray.origin) < 10.0 * size) check_normal(shape, ray, hit, n, size, neighbours);
             return testing::Test::HasFailure();
         });
@@ -102,6 +103,7 @@ constexpr double rounding = 64 * 0x1p-53;
 TEST(FurtherShapes, HitsLieOnTheSurface) {
     check_surface(Prism{round_triangle(), -0.5, 1.0, false, false}, 1.5, 1, rounding);
     check_surface(Prism{round_triangle(), 0.5, 1.25, true, false}, 1.5, 2, rounding);
+    check_surface(Prism{round_triangle(), -1.25, -0.5, true, false}, 1.5, 11, rounding);
     check_surface(Text{std::vector<Glyph>{{round_triangle(), 0.0, 0.5}}}, 1.5, 3, rounding);
     check_surface(vase(), 1.0, 4, rounding);
     check_surface(bottle(), 1.0, 5, rounding);

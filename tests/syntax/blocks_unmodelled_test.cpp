@@ -22,7 +22,7 @@ std::vector<std::string> features(const std::string& text) {
 }
 
 TEST(Unmodelled, IsAnErrorWithItsPlace) {
-    EXPECT_EQ(parse_block("blob { sphere { 0, 1, 1 } }").error, "'blob' is not modelled.");
+    EXPECT_EQ(parse_block("ovus { 1, 0.5 }").error, "'ovus' is not modelled.");
     EXPECT_EQ(parse_block("sphere { 0, 1 pigment { tiling 2 } }").error, "'tiling' is not modelled.");
 }
 
@@ -43,7 +43,7 @@ TEST(Unmodelled, TheRestOfTheSceneIsRead) {
     ParseOptions lenient;
     lenient.lenient = true;
     const ParsedScene p = parse_block(
-        "blob { sphere { 0, 1, 1 } pigment { rgb 1 } }\n#declare N = normal { bumps 1 }\n#declare Sky = sky_sphere { "
+        "ovus { 1, 0.5 pigment { rgb 1 } }\n#declare N = normal { bumps 1 }\n#declare Sky = sky_sphere { "
         "pigment { "
         "rgb 1 } }\nsky_sphere { Sky }\nsphere { 0, 2 texture { pigment { granite scale 2 } normal { N } finish { phong 1 } } scale 3 }",
         lenient);
@@ -51,7 +51,7 @@ TEST(Unmodelled, TheRestOfTheSceneIsRead) {
     ASSERT_EQ(p.scene.objects.size(), 1u);
     EXPECT_EQ(layer(p.scene.objects[0]).finish.phong, 1.0);
     EXPECT_TRUE(p.scene.objects[0].transform);
-    EXPECT_THAT(p.messages, testing::Contains(HasSubstr("'blob' is not modelled and is ignored.")));
+    EXPECT_THAT(p.messages, testing::Contains(HasSubstr("'ovus' is not modelled and is ignored.")));
 }
 
 TEST(Unmodelled, APatternIsShownInGrey) {
@@ -69,13 +69,13 @@ TEST(Unmodelled, CamerasLightsAndMeshes) {
 }
 
 TEST(Unmodelled, DeclaredButEmptyObjectsCanBePlaced) {
-    EXPECT_THAT(features("#declare B = blob { sphere { 0, 1, 1 } } object { B scale 2 pigment { rgb 1 } } B"), ElementsAre("blob"));
+    EXPECT_THAT(features("#declare B = ovus { 1, 0.5 } object { B scale 2 pigment { rgb 1 } } B"), ElementsAre("ovus"));
 }
 
 TEST(Unmodelled, AnUnclosedBlockIsStillAnError) {
     ParseOptions options;
     options.collect_unmodelled = true;
-    EXPECT_EQ(parse_block("blob { sphere { 0, 1, 1 }", options).error, "No matching } in 'blob', End of File found instead");
+    EXPECT_EQ(parse_block("ovus { 1, 0.5", options).error, "No matching } in 'ovus', End of File found instead");
 }
 
 TEST(Nesting, IsLimited) {

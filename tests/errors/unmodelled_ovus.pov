@@ -1,3 +1,3 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
-blob { threshold 0.5 sphere { 0, 1, 1 } }
+ovus { 1, 0.5 }
