@@ -43,21 +43,21 @@ Crossings crossings(const CurvePiece& piece, const Vec2& normal, double distance
     return found;
 }
 
-std::vector<CurvePiece> spline_pieces(Spline kind, const std::vector<Vec2>& p) {
+std::vector<CurvePiece> spline_pieces(SplineKind kind, const std::vector<Vec2>& p) {
     std::vector<CurvePiece> pieces;
     switch (kind) {
-        case Spline::linear:
+        case SplineKind::linear:
             for (std::size_t i = 0; i + 1 < p.size(); ++i) pieces.push_back(CurvePiece::line(p[i], p[i + 1]));
             break;
-        case Spline::quadratic:
+        case SplineKind::quadratic:
             for (std::size_t i = 0; i + 2 < p.size(); ++i)
                 pieces.push_back(CurvePiece::quadratic(p[i + 1], p[i + 1] + 0.25 * (p[i + 2] - p[i]), p[i + 2]));
             break;
-        case Spline::cubic:
+        case SplineKind::cubic:
             for (std::size_t i = 0; i + 3 < p.size(); ++i)
                 pieces.push_back({{p[i + 1], p[i + 1] + (p[i + 2] - p[i]) / 6.0, p[i + 2] - (p[i + 3] - p[i + 1]) / 6.0, p[i + 2]}});
             break;
-        case Spline::bezier:
+        case SplineKind::bezier:
             for (std::size_t i = 0; i + 3 < p.size(); i += 4) pieces.push_back({{p[i], p[i + 1], p[i + 2], p[i + 3]}});
             break;
     }

@@ -30,12 +30,12 @@ struct Crossings {
 Crossings crossings(const CurvePiece& piece, const Vec2& normal, double distance);
 
 /// How points make curves: as `prism` and `lathe` read them.
-enum class Spline { linear, quadratic, cubic, bezier };
+enum class SplineKind { linear, quadratic, cubic, bezier };
 
 /// The pieces of POV-Ray's splines through `points`: linear from each to the next; quadratic from the second on, each piece bent by the
 /// point before it; cubic (Catmull and Rom's) from the second to the last but one; bezier of four points each. Two pieces that meet share
 /// their point to the last bit.
-std::vector<CurvePiece> spline_pieces(Spline kind, const std::vector<Vec2>& points);
+std::vector<CurvePiece> spline_pieces(SplineKind kind, const std::vector<Vec2>& points);
 
 /// Closed loops: each piece begins exactly where another one of the outline ends. Even-odd.
 struct Outline {

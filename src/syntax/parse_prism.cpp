@@ -13,12 +13,12 @@ constexpr double epsilon = 1e-10;  ///< POV-Ray's, for "the same point"
 
 bool same(const Vec2& a, const Vec2& b) { return std::fabs(a.x - b.x) < epsilon && std::fabs(a.y - b.y) < epsilon; }
 
-void check_count(Reader& reader, Spline spline, std::size_t count) {
+void check_count(Reader& reader, SplineKind spline, std::size_t count) {
     const Span place = reader.peek().span;
-    if (spline == Spline::linear && count < 3) reader.fail(place, "Prism with linear splines must have at least three points.");
-    if (spline == Spline::quadratic && count < 5) reader.fail(place, "Prism with quadratic splines must have at least five points.");
-    if (spline == Spline::cubic && count < 6) reader.fail(place, "Prism with cubic splines must have at least six points.");
-    if (spline == Spline::bezier && count % 4 != 0) reader.fail(place, "Prism with Bezier splines must have four points per segment.");
+    if (spline == SplineKind::linear && count < 3) reader.fail(place, "Prism with linear splines must have at least three points.");
+    if (spline == SplineKind::quadratic && count < 5) reader.fail(place, "Prism with quadratic splines must have at least five points.");
+    if (spline == SplineKind::cubic && count < 6) reader.fail(place, "Prism with cubic splines must have at least six points.");
+    if (spline == SplineKind::bezier && count % 4 != 0) reader.fail(place, "Prism with Bezier splines must have four points per segment.");
 }
 
 void warn_open(Reader& reader) { reader.warn(reader.peek().span, "Prism not closed. Ignoring it."); }
@@ -39,16 +39,16 @@ void add_linear(Reader& reader, std::vector<Vec2> points, Outline& outline) {
             reader.warn(reader.peek().span, "Linear prism not closed. Closing it.");
             points.push_back(points[first]);
         }
-        add_loop(spline_pieces(Spline::linear, {points.begin() + static_cast<std::ptrdiff_t>(first),
-                                                points.begin() + static_cast<std::ptrdiff_t>(last) + 1}),
+        add_loop(spline_pieces(SplineKind::linear, {points.begin() + static_cast<std::ptrdiff_t>(first),
+                                                    points.begin() + static_cast<std::ptrdiff_t>(last) + 1}),
                  outline);
         first = last + 1;
     }
 }
 
 /// The first point of a loop only bends it, the second one is where it begins and ends; after a cubic one comes another that only bends.
-void add_bent(Reader& reader, Spline spline, const std::vector<Vec2>& points, Outline& outline) {
-    const std::size_t behind = spline == Spline::cubic ? 1 : 0;
+void add_bent(Reader& reader, SplineKind spline, const std::vector<Vec2>& points, Outline& outline) {
+    const std::size_t behind = spline == SplineKind::cubic ? 1 : 0;
     for (std::size_t first = 0; first < points.size();) {
         std::size_t last = first + 2;
         while (last + behind < points.size() && !same(points[last], points[first + 1])) ++last;
@@ -67,7 +67,7 @@ void add_bent(Reader& reader, Spline spline, const std::vector<Vec2>& points, Ou
 /// Pieces that begin where the last one ended make loops.
 void add_bezier(Reader& reader, const std::vector<Vec2>& points, Outline& outline) {
     std::vector<CurvePiece> loop;
-    for (CurvePiece piece : spline_pieces(Spline::bezier, points)) {
+    for (CurvePiece piece : spline_pieces(SplineKind::bezier, points)) {
         if (!loop.empty()) piece.points[0] = loop.back().points[3];
         loop.push_back(piece);
         if (!same(piece.points[3], loop.front().points[0])) continue;
@@ -81,7 +81,7 @@ void add_bezier(Reader& reader, const std::vector<Vec2>& points, Outline& outlin
 
 ParsedShape parse_prism(Reader& reader) {
     Prism prism;
-    Spline spline = Spline::linear;
+    SplineKind spline = SplineKind::linear;
     for (;;) {
         if (accept_spline(reader, spline)) continue;
         if (reader.accept(Word::linear_sweep))
@@ -102,14 +102,14 @@ ParsedShape parse_prism(Reader& reader) {
     const std::vector<Vec2> points = parse_points(reader, count);
     prism.open = reader.accept(Word::open);
     Outline outline;
-    if (spline == Spline::linear)
+    if (spline == SplineKind::linear)
         add_linear(reader, points, outline);
-    else if (spline == Spline::bezier)
+    else if (spline == SplineKind::bezier)
         add_bezier(reader, points, outline);
     else
         add_bent(reader, spline, points, outline);
     if (outline.pieces.empty()) {
-        if (spline != Spline::bezier) reader.fail(reader.peek().span, "Too few points in prism.");
+        if (spline != SplineKind::bezier) reader.fail(reader.peek().span, "Too few points in prism.");
         return std::nullopt;
     }
     turn_outwards(outline);

@@ -5,15 +5,15 @@
 
 namespace rt {
 
-bool accept_spline(Reader& reader, Spline& spline) {
+bool accept_spline(Reader& reader, SplineKind& spline) {
     if (reader.accept(Word::linear_spline))
-        spline = Spline::linear;
+        spline = SplineKind::linear;
     else if (reader.accept(Word::quadratic_spline))
-        spline = Spline::quadratic;
+        spline = SplineKind::quadratic;
     else if (reader.accept(Word::cubic_spline))
-        spline = Spline::cubic;
+        spline = SplineKind::cubic;
     else if (reader.accept(Word::bezier_spline))
-        spline = Spline::bezier;
+        spline = SplineKind::bezier;
     else
         return false;
     return true;
@@ -31,12 +31,13 @@ std::vector<Vec2> parse_points(Reader& reader, std::size_t count) {
 
 namespace {
 
-void check_count(Reader& reader, Spline spline, std::size_t count) {
+void check_count(Reader& reader, SplineKind spline, std::size_t count) {
     const Span place = reader.peek().span;
-    if (spline == Spline::linear && count < 2) reader.fail(place, "Lathe with linear splines must have at least two points.");
-    if (spline == Spline::quadratic && count < 3) reader.fail(place, "Lathe with quadratic splines must have at least three points.");
-    if (spline == Spline::cubic && count < 4) reader.fail(place, "Prism with cubic splines must have at least four points.");  // its word
-    if (spline == Spline::bezier && count % 4 != 0) reader.fail(place, "Lathe with Bezier splines must have four points per segment.");
+    if (spline == SplineKind::linear && count < 2) reader.fail(place, "Lathe with linear splines must have at least two points.");
+    if (spline == SplineKind::quadratic && count < 3) reader.fail(place, "Lathe with quadratic splines must have at least three points.");
+    if (spline == SplineKind::cubic && count < 4)
+        reader.fail(place, "Prism with cubic splines must have at least four points.");  // its word
+    if (spline == SplineKind::bezier && count % 4 != 0) reader.fail(place, "Lathe with Bezier splines must have four points per segment.");
 }
 
 /// The slice between the points b and c; the curve through them leaves with the slopes of the chords a c and b d.
@@ -49,7 +50,7 @@ SorSlice slice(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 }  // namespace
 
 ParsedShape parse_lathe(Reader& reader) {
-    Spline spline = Spline::linear;
+    SplineKind spline = SplineKind::linear;
     while (accept_spline(reader, spline)) continue;
     const std::size_t count = parse_count(reader);
     check_count(reader, spline, count);

@@ -22,15 +22,15 @@ Outline outline_of(const std::vector<CurvePiece>& pieces) {
 
 /// A triangle with a round side, and a square hole in it.
 Outline round_triangle() {
-    std::vector<CurvePiece> pieces = spline_pieces(Spline::linear, {{0, 0}, {2, 0}, {0, 2}});
+    std::vector<CurvePiece> pieces = spline_pieces(SplineKind::linear, {{0, 0}, {2, 0}, {0, 2}});
     pieces.push_back(CurvePiece{{Vec2(0, 2), Vec2(-1, 1.5), Vec2(-1, 0.5), Vec2(0, 0)}});
-    for (const CurvePiece& p : spline_pieces(Spline::linear, {{0.2, 0.2}, {0.7, 0.2}, {0.7, 0.7}, {0.2, 0.7}, {0.2, 0.2}}))
+    for (const CurvePiece& p : spline_pieces(SplineKind::linear, {{0.2, 0.2}, {0.7, 0.2}, {0.7, 0.7}, {0.2, 0.7}, {0.2, 0.2}}))
         pieces.push_back(p);
     return outline_of(pieces);
 }
 
 Lathe vase() {
-    return Lathe{outline_of(spline_pieces(Spline::cubic, {{0, -1.5}, {0, -1}, {1, -0.7}, {0.4, 0}, {0.8, 0.8}, {0, 1}, {0, 1.5}}))};
+    return Lathe{outline_of(spline_pieces(SplineKind::cubic, {{0, -1.5}, {0, -1}, {1, -0.7}, {0.4, 0}, {0.8, 0.8}, {0, 1}, {0, 1.5}}))};
 }
 
 Sor bottle() {
@@ -128,11 +128,11 @@ TEST(FurtherShapes, ParityIsTheInside) {
 
 // Rays within a plane of symmetry go through vertices, joints and borders exactly.
 TEST(FurtherShapes, RaysThroughJoints) {
-    const Prism square{outline_of(spline_pieces(Spline::linear, {{-1, 0}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}})), -1.0, 1.0, false, false};
+    const Prism square{outline_of(spline_pieces(SplineKind::linear, {{-1, 0}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}})), -1.0, 1.0, false, false};
     EXPECT_THAT(all_hits(square, {{-3, 0, 0}, {1, 0, 0}}), ElementsAre(DoubleNear(2, 1e-15), DoubleNear(4, 1e-15)));
     EXPECT_THAT(all_hits(square, {{0, 0, -3}, {0, 0, 1}}), ElementsAre(DoubleNear(2, 1e-15), DoubleNear(4, 1e-15)));
     EXPECT_THAT(all_hits(square, {{0, 3, 0}, {0, -2, 0}}), ElementsAre(1.0, 2.0));
-    const Lathe joint{outline_of(spline_pieces(Spline::linear, {{0, -1}, {1, 0}, {0, 1}}))};
+    const Lathe joint{outline_of(spline_pieces(SplineKind::linear, {{0, -1}, {1, 0}, {0, 1}}))};
     EXPECT_THAT(all_hits(joint, {{-3, 0, 0}, {1, 0, 0}}), ElementsAre(DoubleNear(2, 1e-15), DoubleNear(4, 1e-15)));
     EXPECT_THAT(all_hits(joint, {{-2, -0.5, 0}, {1, 0.5, 0}}), ElementsAre(DoubleNear(1, 1e-14), DoubleNear(7.0 / 3.0, 1e-14)));
     const std::vector<double> along = all_hits(bottle(), {{-3, 0, 0}, {1, 0, 0}});
@@ -196,16 +196,16 @@ TEST(Outlines, SplinesByTheirFormulas) {
     const std::vector<Vec2> p{{0, 0}, {1, 2}, {3, 1}, {4, 4}};
     for (const double t : {0.0, 0.25, 0.5, 1.0}) {
         const Vec2 quadratic = p[1] + 0.5 * t * (p[2] - p[0]) + 0.5 * t * t * (p[0] - 2.0 * p[1] + p[2]);
-        EXPECT_NEAR(glm::length(spline_pieces(Spline::quadratic, p)[0].at(t) - quadratic), 0.0, 1e-15);
+        EXPECT_NEAR(glm::length(spline_pieces(SplineKind::quadratic, p)[0].at(t) - quadratic), 0.0, 1e-15);
         const Vec2 cubic = p[1] + 0.5 * t * (p[2] - p[0]) + 0.5 * t * t * (2.0 * p[0] - 5.0 * p[1] + 4.0 * p[2] - p[3]) +
                            0.5 * t * t * t * (-p[0] + 3.0 * p[1] - 3.0 * p[2] + p[3]);
-        EXPECT_NEAR(glm::length(spline_pieces(Spline::cubic, p)[0].at(t) - cubic), 0.0, 2e-15);
-        EXPECT_NEAR(glm::length(spline_pieces(Spline::linear, p)[1].at(t) - (p[1] + t * (p[2] - p[1]))), 0.0, 1e-15);
+        EXPECT_NEAR(glm::length(spline_pieces(SplineKind::cubic, p)[0].at(t) - cubic), 0.0, 2e-15);
+        EXPECT_NEAR(glm::length(spline_pieces(SplineKind::linear, p)[1].at(t) - (p[1] + t * (p[2] - p[1]))), 0.0, 1e-15);
     }
-    EXPECT_EQ(spline_pieces(Spline::linear, p).size(), 3u);
-    EXPECT_EQ(spline_pieces(Spline::quadratic, p).size(), 2u);
-    EXPECT_EQ(spline_pieces(Spline::cubic, p).size(), 1u);
-    EXPECT_EQ(spline_pieces(Spline::bezier, p)[0].points[1], p[1]);
+    EXPECT_EQ(spline_pieces(SplineKind::linear, p).size(), 3u);
+    EXPECT_EQ(spline_pieces(SplineKind::quadratic, p).size(), 2u);
+    EXPECT_EQ(spline_pieces(SplineKind::cubic, p).size(), 1u);
+    EXPECT_EQ(spline_pieces(SplineKind::bezier, p)[0].points[1], p[1]);
 }
 
 TEST(Outlines, HolesAreOutside) {
