@@ -5,24 +5,21 @@
 
 #include <type_traits>
 
+#include "tests/scene/checkers.h"
+
 namespace rt {
 namespace {
 
 TEST(Scene, AListOfObjectsGrowsWithoutCopies) { EXPECT_TRUE(std::is_nothrow_move_constructible_v<Object>); }
 
-TEST(Scene, CellsAreSharedAndComparedByContent) {
-    Pigment white;
+TEST(Scene, PatternsAreSharedAndComparedByContent) {
+    Pigment white, black;
     white.content = PigmentColor{Rgb(1.0), 0.0, 0.0};
-    const Cells<Pigment> cells(Pigment{}, white);
-    const Cells<Pigment> copy = cells;
-    EXPECT_EQ(copy.begin(), cells.begin());
-    EXPECT_EQ(cells.size(), 2u);
-    EXPECT_EQ(cells[1], white);
-    EXPECT_EQ(cells, Cells<Pigment>(Pigment{}, white));
-    EXPECT_FALSE(cells == Cells<Pigment>(white, white));
-    EXPECT_FALSE(cells == Cells<Pigment>());
-    EXPECT_THROW(cells.at(2), std::out_of_range);
-    EXPECT_EQ(Cells<Pigment>().size(), 0u);
+    const Pigment checker = checker_of(black, white), copy = checker;
+    EXPECT_EQ(&pattern_of(copy), &pattern_of(checker));
+    EXPECT_EQ(checker, checker_of(black, white));
+    EXPECT_FALSE(checker == checker_of(white, white));
+    EXPECT_FALSE(checker == white);
 }
 
 }  // namespace
