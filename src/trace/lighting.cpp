@@ -52,10 +52,22 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
     return view;
 }
 
+void Lighting::light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers,
+                                                          std::span<const std::uint32_t> inside, LocalLight& result, RayNode* log) {
+    const View shared = view(at, layers, inside, log);
+    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.unshadowed) return;
+    for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
+}
+
 void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                       LocalLight& result, RayNode* log) {
-    if (!world_.features.normals) return light_layers(at, layers, inside, result, log);
-    // Layers that share a normal share the shadow rays.
+    if (world_.features.normals) return light_bumped(at, layers, inside, result, log);
+    light_layers(at, layers, inside, result, log);
+}
+
+/// Layers that share a normal share the shadow rays.
+[[gnu::noinline]] void Lighting::light_bumped(const SurfacePoint& at, std::span<const ActiveLayer> layers,
+                                              std::span<const std::uint32_t> inside, LocalLight& result, RayNode* log) {
     const auto normal_of = [&](const ActiveLayer& layer) { return layer.bumped ? layer.normal : at.normal; };
     for (std::size_t first = 0, end = 0; first < layers.size(); first = end) {
         SurfacePoint bumped = at;
@@ -63,13 +75,6 @@ void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layer
         for (end = first + 1; end < layers.size() && normal_of(layers[end]) == bumped.normal;) ++end;
         light_layers(bumped, layers.subspan(first, end - first), inside, result, log);
     }
-}
-
-void Lighting::light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
-                            LocalLight& result, RayNode* log) {
-    const View shared = view(at, layers, inside, log);
-    if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.unshadowed) return;
-    for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
 }
 
 /// Can light from this side contribute anything?

@@ -53,6 +53,8 @@ private:
         ViewedPoint seen{};  ///< where a term of the catalogue asks for it
         RayNode* log = nullptr;
     };
+    void light_bumped(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
+                      LocalLight& result, RayNode* log);
     void light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
                       LocalLight& result, RayNode* log);
     View view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, RayNode* log) const;

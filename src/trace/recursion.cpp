@@ -134,6 +134,21 @@ void Recursion::trace(Path path, std::size_t first_interior, std::uint32_t first
     first_interior_ = caller;
 }
 
+/// Adds the light of a surface that shows `layers`; true if the path goes on behind it.
+bool Recursion::shade(Surface& surface, std::span<const LayerSample> layers, const Hit& hit, Path& path, Radiance& result,
+                      std::uint32_t& at_node) {
+    resolve_layers(surface, layers, path.weight);
+    if (footprints_ && path.level == 1 && !path.straight)  // the camera's ray itself
+        surface.at.footprint = footprints_->around(path.ray, hit, surface.at, std::span(layers_).subspan(surface.first_layer));
+    if (RayNode* record = node(at_node)) log_surface(*record, surface, hit);
+
+    result.rgb += path.filter * local_light(surface);
+    const bool goes_on = pass(surface, path, result, at_node);
+    layers_.resize(surface.first_layer);
+    mirrors_.resize(surface.first_mirror);
+    return goes_on;
+}
+
 /// Goes to the next surface and adds what is found there; true if the path goes on behind it.
 bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const FirstHit* known) {
     if (path.level >= max_level_ || !(path.weight >= adc_bailout_)) {
@@ -168,23 +183,10 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     return shade(surface, texture.layers, *found, path, result, at_node);
 }
 
-/// Adds the light of a surface that shows `layers`; true if the path goes on behind it.
-bool Recursion::shade(Surface& surface, std::span<const LayerSample> layers, const Hit& hit, Path& path, Radiance& result,
-                      std::uint32_t& at_node) {
-    resolve_layers(surface, layers, path.weight);
-    if (footprints_ && path.level == 1 && !path.straight)  // the camera's ray itself
-        surface.at.footprint = footprints_->around(path.ray, hit, surface.at, std::span(layers_).subspan(surface.first_layer));
-    if (RayNode* record = node(at_node)) log_surface(*record, surface, hit);
-
-    result.rgb += path.filter * local_light(surface);
-    const bool goes_on = pass(surface, path, result, at_node);
-    layers_.resize(surface.first_layer);
-    mirrors_.resize(surface.first_mirror);
-    return goes_on;
-}
-
-/// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light.
-void Recursion::mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, const Path& path, Radiance& result) {
+/// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light. Rare, and kept out of the code of
+/// all other surfaces, as veil() is.
+[[gnu::noinline]] void Recursion::mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, const Path& path,
+                                      Radiance& result) {
     const std::vector<std::uint32_t> inside(interiors_.begin() + static_cast<std::ptrdiff_t>(first_interior_), interiors_.end());
     std::size_t first = 0;
     for (const TextureShare& share : texture.shares) {
@@ -204,7 +206,7 @@ void Recursion::mix(const Surface& surface, const SampledTexture& texture, const
 }
 
 /// What fog and rainbows do on the way to the next surface: on all that is found behind them.
-void Recursion::veil(Path& path, double length, Radiance& result, RayNode* record) const {
+[[gnu::noinline]] void Recursion::veil(Path& path, double length, Radiance& result, RayNode* record) const {
     const Veil veil = atmosphere_.along(path.ray, length, inside());
     result.rgb += path.filter * veil.light;
     path.filter *= veil.left;

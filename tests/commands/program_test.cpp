@@ -207,7 +207,7 @@ TEST_F(Program, ASecondCtrlCEndsAtOnce) {
 }
 
 TEST_F(Program, RequiresListsWhatASceneNeeds) {
-    here.write("b.pov", std::string(small_scene) + "plane { y, -1 pigment { checker rgb 0, rgb 1 } }\nfog { distance 3 rgb 1 }\n");
+    here.write("b.pov", std::string(small_scene) + "plane { y, -1 pigment { checker rgb 0, rgb 1 } }\nmedia { scattering { 1 rgb 1 } }\n");
     const Outcome outcome = run({"requires", "b.pov"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.out,
@@ -221,7 +221,7 @@ TEST_F(Program, RequiresListsWhatASceneNeeds) {
               "  features:  checker\n"
               "  includes:  none\n"
               "  not modelled:\n"
-              "    b.pov:7:1: fog\n");
+              "    b.pov:7:1: media\n");
     const Outcome json = run({"requires", "--json", "a.pov", "b.pov"});
     EXPECT_EQ(json.status, 0);
     EXPECT_NE(json.out.find("\"line\": 7"), std::string::npos);

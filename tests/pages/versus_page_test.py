@@ -41,8 +41,8 @@ class VersusPage(unittest.TestCase):
         scenes = {
             "same.pov": SCENE,
             "moved.pov": SCENE.replace("-4*z", "<0.5, 0, -4>"),
-            "</script>.pov".replace("/", "_"): SCENE + "fog { distance 3 rgb 1 }\n",
-            "two.pov": SCENE + "ovus { 1, 0.5 }\nfog { distance 3 rgb 1 }\n",
+            "</script>.pov".replace("/", "_"): SCENE + "media { }\n",
+            "two.pov": SCENE + "ovus { 1, 0.5 }\nmedia { }\n",
         }
         (place / "scenes").mkdir()
         for name, text in scenes.items():
@@ -77,7 +77,7 @@ class VersusPage(unittest.TestCase):
     def test_scenes_are_worst_first(self):
         self.assertEqual(self.all("#table tbody th"), ["scenes/moved", "scenes/<_script>", "scenes/two", "scenes/same"])
         self.assertEqual(self.all("#table tbody td:nth-child(2)"), ["✗ differs", "✗ not modelled", "✗ not modelled", "✓ agrees"])
-        self.assertIn("Not modelled, by the scenes that ask for nothing else: fog 1 (of 2).", self.all("#head .notes li"))
+        self.assertIn("Not modelled, by the scenes that ask for nothing else: media 1 (of 2).", self.all("#head .notes li"))
         self.assertIn("1 of 4", self.all("#head dd"))
 
     def test_a_scene_has_its_pictures_and_their_difference(self):

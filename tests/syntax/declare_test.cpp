@@ -153,13 +153,13 @@ TEST(Declare, WhatIsNotModelledIsReportedWhereItIsUsed) {
     const std::string unused = "#declare F = function { pattern { agate } } #declare T = density { planar } ";
     EXPECT_EQ(read_scene(unused + "sphere { 0, 1 }").error, "");
     EXPECT_EQ(error_text(unused + "sphere { 0, F(1,2,3) }"), "'function { pattern }' is not modelled.");
-    EXPECT_EQ(read_scene("#declare B = blob { }\n#declare C = B\nobject { C }").error,
-              "File 't.pov' line 1: Parse Error: 'blob' is not modelled.\n"
-              "   1 | #declare B = blob { }\n"
-              "     |              ^^^^");
+    EXPECT_EQ(read_scene("#declare B = julia_fractal { }\n#declare C = B\nobject { C }").error,
+              "File 't.pov' line 1: Parse Error: 'julia_fractal' is not modelled.\n"
+              "   1 | #declare B = julia_fractal { }\n"
+              "     |              ^^^^^^^^^^^^^");
     ParseOptions lenient;
     lenient.lenient = true;
-    const Outcome o = read_scene("#declare B = blob { } #for(I,1,3) object { B } #end", lenient);
+    const Outcome o = read_scene("#declare B = julia_fractal { } #for(I,1,3) object { B } #end", lenient);
     EXPECT_EQ(o.messages.size(), 1u) << o.log();
 }
 

@@ -154,7 +154,7 @@ TEST_F(Versus, KnownPicturesAreNotMadeAgain) {
 TEST_F(Versus, RefusalsAreToldApart) {
     here.write("bad.pov", "sphere { 0, 1 pigmnt { rgb 1 } }\n");
     here.write("good.pov", shiny_scene);
-    here.write("mist.pov", std::string(shiny_scene) + "fog { distance 3 rgb 1 }\novus { 1, 0.5 }\nfog { distance 3 rgb 1 }\n");
+    here.write("mist.pov", std::string(shiny_scene) + "media { }\novus { 1, 0.5 }\nmedia { }\n");
     here.write("worse.pov", "\n\nsphere { 0, 1 pigmnt { rgb 1 } }\n");
     stand_in("case $scene in *mist*) cp $here/right.png $out;; *) echo \"File '$scene' line 1: Parse Error: no\"; exit 1;; esac");
     ASSERT_EQ(run({"good.pov", "--size=32x24", "--shading=povray", "-o", "right.png"}).status, 0);
@@ -168,9 +168,9 @@ TEST_F(Versus, RefusalsAreToldApart) {
     EXPECT_EQ(all[1]["cause"], "refused by POV-Ray alone");
     EXPECT_EQ(all[2]["cause"], "not modelled");
     EXPECT_EQ(all[2]["not_modelled"].size(), 2u);  // each once
-    EXPECT_EQ(all[2]["not_modelled"][0]["name"], "fog");
+    EXPECT_EQ(all[2]["not_modelled"][0]["name"], "media");
     EXPECT_EQ(all[2]["not_modelled"][0]["line"], 6);
-    EXPECT_THAT(all[2]["same"]["message"].get<std::string>(), HasSubstr("mist.pov:6:1: fog is not modelled"));
+    EXPECT_THAT(all[2]["same"]["message"].get<std::string>(), HasSubstr("mist.pov:6:1: media is not modelled"));
     EXPECT_EQ(all[3]["cause"], "refused at different places");
     EXPECT_THAT(outcome.out, HasSubstr("1 of 4 scenes agree: 1 refused at different places, 1 not modelled, 1 refused by POV-Ray alone, "
                                        "1 refused by both\n"));
