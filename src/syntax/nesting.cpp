@@ -10,7 +10,7 @@ namespace rt {
 
 namespace {
 
-// Measured for the hungriest level (a declaration inside an object that is being declared): 3 KB, in sanitizer and debug builds 10 KB.
+// Measured for the hungriest level (a declaration inside an object that is being declared): 3 KB, in sanitizer and debug builds 15 KB.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
 constexpr std::size_t bytes_a_level = 16 * 1024;
 constexpr std::size_t least = 100;  ///< what the tests need; fits 1 MB

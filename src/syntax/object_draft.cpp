@@ -43,7 +43,10 @@ void move(Reader& reader, const Span& place, ObjectDraft& draft, const Transform
     if (object.interior_texture) append(draft.interior_texture_motion, t);
 }
 
-bool accept_material(Reader& reader, ObjectDraft& draft) {
+// What follows is asked for in turn, each with a frame of its own: blocks stand inside blocks, and what one of these needs for its values
+// would be on the stack of each.
+
+[[gnu::noinline]] bool accept_material(Reader& reader, ObjectDraft& draft) {
     const Token next = reader.peek();
     if (!next.is(Word::texture) && !next.is(Word::interior_texture) && !next.is(Word::material) && !next.is(Word::pigment) &&
         !next.is(Word::finish) && !next.is(Word::normal))
@@ -74,7 +77,7 @@ void invert(ObjectDraft& draft) {
         draft.object().inverse = !draft.object().inverse;
 }
 
-bool accept_flag(Reader& reader, ObjectDraft& draft) {
+[[gnu::noinline]] bool accept_flag(Reader& reader, ObjectDraft& draft) {
     Object& object = draft.object();
     if (reader.accept(Word::no_shadow)) {
         object.no_shadow = true;
@@ -116,7 +119,7 @@ SetNode& node_that_clips(ObjectValue& value) {
 }
 
 /// `clipped_by { ... }` after its word.
-void parse_clips(Reader& reader, const Span& place, ObjectDraft& draft) {
+[[gnu::noinline]] void parse_clips(Reader& reader, const Span& place, ObjectDraft& draft) {
     reader.begin_block("clipped_by");
     if (reader.peek().is(Word::bounded_by)) {
         reader.unmodelled(place, "clipped_by { bounded_by }");
@@ -151,7 +154,7 @@ void parse_clips(Reader& reader, const Span& place, ObjectDraft& draft) {
     node.clips.insert(node.clips.end(), moved.begin(), moved.end());
 }
 
-bool accept_other(Reader& reader, ObjectDraft& draft, const ObjectSyntax& syntax) {
+[[gnu::noinline]] bool accept_other(Reader& reader, ObjectDraft& draft, const ObjectSyntax& syntax) {
     const Token next = reader.peek();
     if (reader.accept(Word::clipped_by)) {
         parse_clips(reader, next.span, draft);

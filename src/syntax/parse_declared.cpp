@@ -9,7 +9,7 @@ namespace rt {
 namespace {
 
 /// One texture or several: they are the layers of one value.
-TextureLayers parse_layers(Reader& reader) {
+[[gnu::noinline]] TextureLayers parse_layers(Reader& reader) {
     std::optional<TextureLayers> layers;
     do parse_texture(reader, layers);
     while (reader.accept_at_once(Word::texture));
@@ -27,7 +27,7 @@ bool is_unmodelled_value(Word w) {
     }
 }
 
-std::optional<Value> parse_material_block(Reader& reader) {
+[[gnu::noinline]] std::optional<Value> parse_material_block(Reader& reader) {
     if (reader.accept(Word::pigment)) return parse_pigment(reader, default_pigment(reader));
     if (reader.accept(Word::finish)) return parse_finish(reader, std::get<PlainTexture>(reader.default_texture()->back().content).finish);
     if (reader.accept(Word::texture)) return parse_layers(reader);
@@ -37,7 +37,7 @@ std::optional<Value> parse_material_block(Reader& reader) {
     return std::nullopt;
 }
 
-std::optional<Value> parse_map_block(Reader& reader) {
+[[gnu::noinline]] std::optional<Value> parse_map_block(Reader& reader) {
     if (reader.accept(Word::color_map) || reader.accept(Word::colour_map)) return parse_color_map(reader);
     if (reader.accept(Word::pigment_map)) return parse_pigment_map(reader);
     if (reader.accept(Word::normal_map)) return parse_normal_map(reader);
@@ -46,7 +46,7 @@ std::optional<Value> parse_map_block(Reader& reader) {
     return std::nullopt;
 }
 
-std::optional<Value> parse_surroundings(Reader& reader) {
+[[gnu::noinline]] std::optional<Value> parse_surroundings(Reader& reader) {
     if (reader.accept(Word::sky_sphere)) return parse_sky_sphere(reader);
     if (reader.accept(Word::fog)) return parse_fog(reader);
     if (reader.accept(Word::rainbow)) return parse_rainbow(reader);

@@ -71,7 +71,7 @@ void parse_parts(Reader& reader, Word set, ObjectValue& value) {
 }
 
 /// `union { ... }` and its like. A declared object that comes first is all there is, as POV-Ray has it: only modifiers may follow.
-ObjectValue parse_set_block(Reader& reader) {
+[[gnu::noinline]] ObjectValue parse_set_block(Reader& reader) {
     const Token word = reader.take();
     reader.begin_block(text(word.word));
     auto draft = std::make_unique<ObjectDraft>();
@@ -83,7 +83,7 @@ ObjectValue parse_set_block(Reader& reader) {
 }
 
 /// `object { ... }` after its word.
-Placeable parse_object_block(Reader& reader) {
+[[gnu::noinline]] Placeable parse_object_block(Reader& reader) {
     const Span place = reader.peek().span;
     reader.begin_block("object");
     std::optional<Placeable> inner = accept_object(reader);

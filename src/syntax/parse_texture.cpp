@@ -87,7 +87,7 @@ void parse_plain_parts(Reader& reader, std::optional<TextureLayers>& layers) {
         reader.fail(reader.peek().span, "Keyword 'color' can only be used in a pigment or density statement.");
 }
 
-bool accept_material_part(Reader& reader, MaterialValue& material) {
+[[gnu::noinline]] bool accept_material_part(Reader& reader, MaterialValue& material) {
     if (reader.accept(Word::texture)) {
         parse_texture(reader, material.texture);
     } else if (reader.accept(Word::interior_texture)) {
