@@ -7,17 +7,19 @@ const char* const trade_usage = "Usage: raytrace trade [OPTION...] SCENE\nTime a
 const char* const trade_footer =
     R"(What is measured is kept: the same command goes on where it was. An option that
 turns a knob (--max-trace-level, --F ...) fixes it. See raytrace help trade.
-Exit status: 0, 2 interrupted (with reports of what there is), 3 not written.)";
+Exit status: 0, 1 a mistake, 2 interrupted (with reports of what there is),
+3 not written, 4 too slow or too large.)";
 
 const char* const trade_topic =
     R"(raytrace trade scene.pov -W 640 -H 480 -o results
 
 A reference is made first: the exact preset, sampled by grids of growing size
 until its RMSE, estimated from its two halves, is below --reference-error, or
-its fifth of --seconds is over. Then the presets (help quality), every value of
-each knob around "good", a step up and down around the others, and what may
-beat the best of these; no knob that this scene does not feel. The runs of
-different settings take turns, until each median is stable to 3 %.
+its fifth of --seconds is over. Errors below twice its own are not told apart.
+Then the presets (help quality), every value of each knob around "good", a step
+up and down around the others, and what may beat the best of these; no knob
+that this scene does not feel. The runs of different settings take turns, until
+each median is stable to 3 %, or there were 9 runs (--runs) or 6 s of them.
 
 Of each: seconds of the clock and of processors to read, build, trace and
 encode; rays; RMSE, 99th percentile, maximum and mean FLIP against the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rt {
 
@@ -45,6 +46,9 @@ Pixel Stretch::at(int i, const Pixel* line, std::ptrdiff_t stride) const {
         const float w = taps.weights[k];
         sum.r += w * p.r, sum.g += w * p.g, sum.b += w * p.b, sum.transmittance += w * p.transmittance;
     }
+    // Beside an edge the cubic goes beyond the known values, and so beyond the largest number.
+    const auto finite = [](float v) { return std::clamp(v, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max()); };
+    sum.r = finite(sum.r), sum.g = finite(sum.g), sum.b = finite(sum.b);
     return sum;
 }
 
@@ -60,7 +64,7 @@ Film enlarge(Film small, const Stretch& across, const Stretch& down, Filtered fi
             large.at(x, y) = {std::max(p.r, 0.0f), std::max(p.g, 0.0f), std::max(p.b, 0.0f), std::clamp(p.transmittance, 0.0f, 1.0f)};
         }
     }
-    if (filtered == Filtered::square_roots) change_colors(large, [](float v) { return v * v; });
+    if (filtered == Filtered::square_roots) change_colors(large, [](float v) { return std::min(v * v, std::numeric_limits<float>::max()); });
     return large;
 }
 

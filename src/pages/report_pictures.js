@@ -255,16 +255,21 @@ class RowPictures {
   showValues() {
     const [x, y] = this.pointed ?? this.cursor;
     this.values.setAttribute("aria-live", this.pointed ? "off" : "polite"); // a pointer is too quick to be told of
-    const line = (label, numbers, color) => {
+    const shown = this.entries.filter((entry) => entry.pixels);
+    const mixed = new Set(shown.map(({ pixels }) => fullOf(pixels))).size > 1; // then each number says of how many
+    const line = (label, numbers, full, color) => {
       const sample = color ? swatch(color) : "";
-      const text = numbers === null ? "outside" : numbers.map((number) => integer.format(number)).join("  ");
+      const text = numbers === null ? "outside" : numbers.map((number) => integer.format(number)).join("  ") + (mixed ? ` of ${integer.format(full)}` : "");
       return make("td", { "data-label": label }, make("span", { class: "label" }, `${label} `), sample, make("data", { value: (numbers ?? []).join(" ") }, text));
     };
-    const cells = this.entries.filter((entry) => entry.pixels).map(({ label, pixels }) => {
+    const cells = shown.map(({ label, pixels }) => {
       const numbers = numbersAt(pixels, x, y);
-      return line(label, numbers, numbers && shownColor(pixels, numbers));
+      return line(label, numbers, fullOf(pixels), numbers && shownColor(pixels, numbers));
     });
-    if (this.pair) cells.push(line("Difference", numbersApart(this.pair[0].pixels, this.pair[1].pixels, x, y)));
+    if (this.pair) {
+      const [a, b] = this.pair.map((entry) => entry.pixels);
+      cells.push(line("Difference", numbersApart(a, b, x, y), commonFull(a, b)));
+    }
     const place = make("th", { scope: "row" }, `Pixel ${x}, ${y}`, make("span", { class: "size" }, ` from the top; ${this.height - 1 - y} from the bottom`));
     this.values.replaceChildren(make("tr", { "data-pixel": `${x},${y}` }, place, cells));
   }

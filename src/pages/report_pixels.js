@@ -108,12 +108,15 @@ function numbersAt(pixels, x, y) {
   return x >= 0 && y >= 0 && x < pixels.width && y < pixels.height ? pixels.at(x, y) : null;
 }
 
-/** What two pixels differ by: numbers of the files if both count to the same, else of 65535. */
+/** What the numbers of both pictures are compared in: those of the files if both count to the same, else of 65535. */
+const commonFull = (a, b) => (a.depth === b.depth ? fullOf(a) : 65535);
+
+/** What two pixels differ by, of commonFull(). */
 function numbersApart(a, b, x, y) {
   const [one, other] = [numbersAt(a, x, y), numbersAt(b, x, y)];
   if (one === null || other === null) return null;
   const channels = Math.max(one.length, other.length);
-  const full = a.depth === b.depth ? fullOf(a) : 65535;
+  const full = commonFull(a, b);
   const wide = (pixels, numbers) => {
     const color = pixels.channels >= 3 ? numbers.slice(0, 3) : channels >= 3 ? [numbers[0], numbers[0], numbers[0]] : [numbers[0]];
     const all = channels % 2 === 0 ? [...color, hasAlpha(pixels) ? numbers.at(-1) : fullOf(pixels)] : color;

@@ -21,13 +21,19 @@ function beside(trade, preset, knob, value) {
   return trade.settings.find((setting) => setting.state === "measured" && JSON.stringify(setting.values) === wanted);
 }
 
+/** What a value's words choose before its numbers, as sensitivity.h has it: steps are within one method. */
+function methodOf(words) {
+  return words.startsWith("--aa ") ? words.split(",")[0] : words.split(/[ =]/)[0];
+}
+
 function knobTable(trade, preset, knob, range) {
-  let before = null;
-  const lines = knob.values.map(({ name, rmse_alone: alone }) => {
+  const before = new Map(); // seconds by method
+  const lines = knob.values.map(({ name, words, rmse_alone: alone }) => {
     const setting = beside(trade, preset, knob.name, name);
     const seconds = setting?.[trade.cost].total;
-    const factor = seconds !== undefined && before !== null ? `× ${(seconds / before).toFixed(2)}` : "";
-    if (seconds !== undefined) before = seconds;
+    const method = methodOf(words);
+    const factor = seconds !== undefined && before.has(method) ? `× ${(seconds / before.get(method)).toFixed(2)}` : "";
+    if (seconds !== undefined) before.set(method, seconds);
     return make("tr", { class: preset.values[knob.name] === name ? "of-preset" : null },
       make("th", { scope: "row" }, name),
       numberCell(seconds === undefined ? "" : timeText(seconds)),
@@ -63,7 +69,7 @@ function showKnobs(element, trade) {
   fill(select.value);
   element.append(
     make("div", { class: "bar" }, make("h3", {}, "What a step of each knob costs"), make("label", {}, "around", select)),
-    make("p", { class: "hint" }, "Time and RMSE with this value and otherwise what the preset has. Step: times as long as the value above. Alone: the RMSE of this value with everything else exact and converged; its bar is logarithmic."),
+    make("p", { class: "hint" }, "Time and RMSE with this value and otherwise what the preset has. Step: times as long as the value above that samples by the same method. Alone: the RMSE of this value with everything else exact and converged; its bar is logarithmic."),
     tables,
   );
 }

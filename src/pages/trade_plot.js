@@ -61,11 +61,11 @@ class TradePlot {
     this.area = { left: 66, right: width - 12, top: 12, bottom: chartHeight - 48 };
     const xs = this.settings.map((setting) => this.xOf(setting));
     const ys = this.settings.map((setting) => this.yOf(setting));
-    const limit = this.figure === "rmse" ? this.trade.reference.rmse_estimated : 0;
+    const limit = this.figure === "rmse" ? this.trade.reference.rmse_told_apart : 0;
     this.x = new LogScale(xs, this.area.left, this.area.right);
     this.y = new LogScale([...ys, limit], this.area.bottom, this.area.top);
     const counted = this.settings.filter((setting) => setting.comparable);
-    this.front = frontOf(counted.map((setting) => ({ x: this.xOf(setting), y: this.yOf(setting) })), this.trade.front_margins).map((i) => counted[i]);
+    this.front = frontOf(counted.map((setting) => ({ x: this.xOf(setting), y: Math.max(this.yOf(setting), limit) })), this.trade.front_margins).map((i) => counted[i]);
     this.points = new Map();
     chart.replaceChildren(...this.axes(), ...this.limitLine(limit), this.frontLine(), ...this.inLayers().map((s) => this.point(s)), ...this.labels());
     this.order = [...this.settings].sort((a, b) => this.xOf(a) - this.xOf(b));
@@ -75,10 +75,12 @@ class TradePlot {
   }
 
   hintText(limit) {
-    const told = limit > 0 ? ` The reference itself may be off by ${errorText(limit)}: below the dashed line nothing is told apart.` : "";
+    const told = limit > 0 ? ` Below the dashed line, twice the RMSE that the reference itself is estimated to have, nothing is told apart.` : "";
+    const none = this.settings.filter((setting) => this.yOf(setting) === 0).length;
+    const edge = none > 0 ? ` ${none} points of no error at all stand at the lower edge.` : "";
     const others = this.settings.length - this.settings.filter((s) => s.comparable).length;
     const grey = others > 0 ? ` ${others} hollow points show other surfaces than the reference and do not count.` : "";
-    return `Filled points are those that no other beats. Point at one for its picture and the difference (× ${cardGain}).${told}${grey}`;
+    return `Blue points are those that no other beats; the large ones are presets. Point at one for its picture and the difference (× ${cardGain}).${told}${edge}${grey}`;
   }
 
   axes() {
@@ -149,12 +151,12 @@ class TradePlot {
     return [...this.settings].sort((a, b) => layer(a) - layer(b));
   }
 
-  /** Names of the presets beside their points; where points are too near, one text for all of them. */
+  /** Names of the presets beside their points; where the texts would touch, one text for all of them. */
   labels() {
     const groups = [];
     for (const setting of this.settings.filter(({ origin }) => origin === "preset")) {
       const [x, y] = this.placeOf(setting);
-      const near = groups.find((group) => Math.abs(group.x - x) < 40 && Math.abs(group.y - y) < 18);
+      const near = groups.find((group) => Math.abs(group.x - x) < 60 && Math.abs(group.y - y) < 18);
       if (near) near.names.push(setting.name);
       else groups.push({ x, y, names: [setting.name] });
     }

@@ -1,6 +1,7 @@
 // The program itself, on small scenes: exit status, streams, files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -126,6 +127,18 @@ TEST_F(Program, AFullDiskIsStatusThree) {
     EXPECT_NE(picture.err.find("No space left on device"), std::string::npos) << picture.err;
     EXPECT_EQ(run({"requires", "a.pov"}, "/dev/full").status, 3);
     EXPECT_EQ(run({"--help"}, "/dev/full").status, 3);
+}
+
+TEST_F(Program, AFileThatMayNotGrowIsStatusThree) {
+    rlimit usual{};
+    getrlimit(RLIMIT_FSIZE, &usual);
+    const rlimit small{1000, usual.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const Outcome outcome = run({"a.pov", "--size=400x300", "-o", "out.png"});
+    setrlimit(RLIMIT_FSIZE, &usual);
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_EQ(outcome.err, "raytrace: Cannot write 'out.png': File too large\n");
+    EXPECT_EQ(here.files(), (std::vector<std::string>{"a.pov"}));
 }
 
 TEST_F(Program, AClosedPipeIsStatusThree) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace rt {
 namespace {
 
@@ -33,6 +36,16 @@ TEST(Enlarge, APlaneStaysAPlaneInside) {
             EXPECT_NEAR(large.at(x, y).b, 3.0f * plane, 3e-5 * plane) << x << ", " << y;
             EXPECT_NEAR(large.at(x, y).transmittance, std::min(plane / 64.0f, 1.0f), 1e-6 * plane) << x << ", " << y;
         }
+    }
+}
+
+/// The cubic goes beyond the largest number there.
+TEST(Enlarge, TheLargestNumbersStayNumbers) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    for (const Filtered filtered : {Filtered::values, Filtered::square_roots}) {
+        Film film(4, 4);
+        for (int i = 0; i < 16; ++i) film.pixels[static_cast<std::size_t>(i)].r = i % 4 < 2 ? 0.0f : largest;
+        for (const Pixel& p : enlarged(film, 12, 12, filtered).pixels) EXPECT_TRUE(std::isfinite(p.r) && p.r >= 0.0f);
     }
 }
 

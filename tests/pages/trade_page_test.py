@@ -134,6 +134,12 @@ class TradePage(unittest.TestCase):
             self.assertIn(label, labels)
         self.assertEqual(self.all("#command"), [self.setting("good")["command"]])
 
+    def test_numbers_of_pixels_say_of_how_many(self):
+        texts = self.all("[data-pixel] td")
+        self.assertEqual(len(texts), 3)
+        for text, full in zip(texts, ("65,535", "255", "65,535")):  # the reference, the setting, their difference
+            self.assertTrue(text.endswith(f" of {full}"), text)
+
     def test_a_row_of_the_table_is_marked_in_the_plot(self):
         self.page.evaluate("void table.select(pageData.rows.findIndex((row) => row.name === 'exact'))")
         self.assertEqual(self.all("#chart .chosen", "e.dataset.name"), ["exact"])

@@ -30,7 +30,7 @@ std::string unfinished_by(const std::string& process) {
 
 bool is_alive(const std::string& process) {
     const int id = std::atoi(process.c_str());
-    return id > 0 && kill(id, 0) == 0;
+    return id > 0 && (kill(id, 0) == 0 || errno == EPERM);
 }
 
 /// Of a folder, at the end of its life.

@@ -54,6 +54,7 @@ void install_signal_handlers() {
         if (inherited.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
     }
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told as what cannot be written
 }
 
 }  // namespace rt

@@ -6,19 +6,30 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "core/source.h"
 #include "core/utf8.h"
 
 namespace rt {
 
-double real_number(std::string_view what, std::string_view text, double least, double most) {
+namespace {
+
+/// NaN for what is no number.
+double plain_number(std::string_view digits) {
     double value = 0.0;
-    std::string_view digits = text;
     if (digits.starts_with('+')) digits.remove_prefix(1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-        throw OptionError(fmt::format("{}: '{}' is no number", what, text));
+    return error == std::errc() && end == digits.data() + digits.size() ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double real_number(std::string_view what, std::string_view text, double least, double most) {
+    const std::size_t slash = text.find('/');
+    double value = plain_number(text.substr(0, slash));
+    if (slash != std::string_view::npos) value /= plain_number(text.substr(slash + 1));
+    if (!std::isfinite(value)) throw OptionError(fmt::format("{}: '{}' is no number", what, text));
     if (value < least || value > most) {
         if (std::isfinite(most)) throw OptionError(fmt::format("{}: {} is outside {} to {}", what, text, least, most));
         throw OptionError(fmt::format("{}: {} is less than {}", what, text, least));

@@ -11,7 +11,7 @@ namespace rt {
 
 /// A whole number in [least, most]. Throws OptionError naming `what`.
 int whole_number(std::string_view what, std::string_view text, int least, int most);
-/// A finite number in [least, most].
+/// A finite number in [least, most], or a quotient of two ("1/255").
 double real_number(std::string_view what, std::string_view text, double least, double most);
 /// One such number for all channels, or three separated by commas.
 Rgb one_or_three(std::string_view what, std::string_view text, double least, double most);

@@ -24,6 +24,11 @@ bool is_wanted(const TradeSetting& setting, const TradeRecord& record) {
 
 }  // namespace
 
+void take_known_instability(TradeWork& work) {
+    for (TradeSetting& setting : work.record.settings)
+        if (is_wanted(setting, work.record)) setting.unstable = work.store.unstable(joined_words(setting.setting, work.record.knobs));
+}
+
 void measure_instability(TradeWork& work) {
     for (TradeSetting& setting : work.record.settings) {
         if (!is_wanted(setting, work.record)) continue;

@@ -70,7 +70,7 @@ std::vector<Candidate> candidates(const TradeRecord& record, int radius) {
     const Prediction prediction(record);
     const std::vector<std::size_t> front = front_settings(record);
     std::vector<TradePoint> points;
-    for (const std::size_t i : front) points.push_back(point_of(record.settings[i], record.cost));
+    for (const std::size_t i : front) points.push_back(front_point(record, record.settings[i]));
     std::set<Setting> known;
     for (const TradeSetting& setting : record.settings) known.insert(setting.setting);
     const std::vector<std::size_t> turned = knobs_that_matter(record);
@@ -161,7 +161,8 @@ std::optional<TradePoint> Prediction::at(const Setting& setting, std::size_t fro
         if (!a.known || !b.known) return std::nullopt;
         logarithm += b.logarithm - a.logarithm;
     }
-    return TradePoint{point_of(known, record_.cost).seconds * std::exp(logarithm), std::sqrt(square)};
+    const double error = std::max(std::sqrt(square), record_.reference.told_apart());
+    return TradePoint{point_of(known, record_.cost).seconds * std::exp(logarithm), error};
 }
 
 std::vector<Setting> further_settings(const TradeRecord& record, const FurtherWish& wish) {

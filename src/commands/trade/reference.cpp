@@ -7,11 +7,24 @@
 
 namespace rt {
 
+namespace {
+
+bool is_prime(int n) {
+    for (int divisor = 2; divisor * divisor <= n; ++divisor)
+        if (n % divisor == 0) return false;
+    return n > 1;
+}
+
+}  // namespace
+
 int next_grid(const std::vector<int>& grids) {
-    if (grids.empty()) return 3;
+    if (grids.empty()) return 5;
     double samples = 0.0;
     for (const int side : grids) samples += sqr(static_cast<double>(side));
-    return std::max(grids.back() + 1, static_cast<int>(std::lround(std::sqrt(samples))));
+    const int wanted = std::max(grids.back() + 1, static_cast<int>(std::lround(std::sqrt(samples))));
+    for (int away = 0;; ++away)
+        for (const int side : {wanted - away, wanted + away})
+            if (side > grids.back() && is_prime(side)) return side;
 }
 
 Film joined(const Film& a, double samples_a, const Film& b, double samples_b) {

@@ -1,7 +1,8 @@
 // The converged picture that all others are compared with: the mean of grids of growing size.
 //
-// Each grid has about as many samples as all before it together, and hardly any point in common with them. The two halves are pictures of
-// equal worth, so how far they are apart tells how far their mean is from the limit.
+// Each grid has about as many samples as all before it together, and no point but the pixel's centre in common with them or with a grid
+// that a setting samples by: sides are primes from 5 on. The two halves are pictures of equal worth, so how far they are apart tells how
+// far their mean is from the limit.
 #pragma once
 
 #include "commands/trade/trade_result.h"
@@ -9,7 +10,7 @@
 
 namespace rt {
 
-/// The side of the grid that follows those of these sides: 3, 4, 5, 7, 10, 14, 20, 28, 40, 56, ...
+/// The side of the grid that follows those of these sides: 5, 7, 11, 13, 19, 29, 41, 59, ...
 int next_grid(const std::vector<int>& grids);
 
 /// The mean of two films of one size by their numbers of samples.

@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "commands/base/write_bytes.h"
 #include "commands/job/encoding.h"
 #include "commands/trade/reference.h"
 #include "commands/trade/work.h"
 #include "core/source.h"
+#include "core/vec.h"
 #include "film/image_file.h"
 
 namespace rt {
@@ -21,13 +23,29 @@ public:
     bool is_enough() const { return known_.facts.complete() && known_.facts.error <= work_.request.reference_error; }
 
     void run() {
-        if (is_enough()) return;
-        const World world = work_.scene.build(job_);
-        refuse_the_slowest(world);
-        while (!is_enough() && has_time()) add_grid(world);
+        std::optional<World> world;
+        while (!is_enough() && has_time()) {
+            if (take_known()) continue;
+            if (!world) refuse_the_slowest(world.emplace(work_.scene.build(job_)));
+            add_grid(*world);
+        }
     }
 
 private:
+    /// What it is kept by: each size of it by itself, so that whoever asks for less goes on with that.
+    std::string words(std::size_t grids) const {
+        return fmt::format("{} grids: {}", grids, joined_words(exact_setting(work_), work_.record.knobs));
+    }
+
+    bool take_known() {
+        std::optional<KnownReference> kept = work_.store.reference(words(known_.facts.grids.size() + 1), job_.width, job_.height);
+        if (!kept || kept->facts.grids.size() != known_.facts.grids.size() + 1) return false;
+        kept->facts.asked = known_.facts.asked;
+        known_ = std::move(*kept);
+        work_.record.reference = known_.facts;
+        return true;
+    }
+
     /// Rather than to let somebody wait for hours without a word.
     void refuse_the_slowest(const World& world) const {
         if (known_.facts.complete()) return;
@@ -35,9 +53,9 @@ private:
         const double first = expected_seconds(work_, world, with_grid(job_, next_grid({})), limit);
         if (first > limit)
             throw LimitError(
-                fmt::format("trade: the exact picture takes about {:.2g} s for 9 rays a pixel; give a smaller size (-W -H), "
+                fmt::format("trade: the exact picture takes about {:.2g} s for {} rays a pixel; give a smaller size (-W -H), "
                             "or more time (--reference-seconds)",
-                            first));
+                            first, sqr(next_grid({}))));
     }
 
     double samples_of_next() const {
@@ -66,7 +84,7 @@ private:
             known_.film = joined(known_.film, facts.samples, film, samples);
         }
         facts.grids.push_back(side), facts.samples += samples, facts.seconds += timing.wall.trace;
-        work_.store.put_reference(joined_words(exact_setting(work_), work_.record.knobs), known_);
+        work_.store.put_reference(words(facts.grids.size()), known_);
         work_.record.reference = facts;
     }
 
@@ -88,9 +106,6 @@ private:
 void make_reference(TradeWork& work) {
     const RenderJob job = exact_job(work);
     KnownReference known{{}, Film(job.width, job.height)};
-    if (std::optional<KnownReference> kept =
-            work.store.reference(joined_words(exact_setting(work), work.record.knobs), job.width, job.height))
-        known = std::move(*kept);
     known.facts.asked = work.request.reference_error;
     work.record.reference = known.facts;
     Growth(work, known).run();

@@ -1,6 +1,8 @@
 #include "commands/trade/sensitivity.h"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 namespace rt {
 
@@ -13,6 +15,18 @@ const TradeSetting* measured(const TradeRecord& record, const Setting& setting) 
     return found == record.settings.end() ? nullptr : &*found;
 }
 
+/// What a value's words choose before its numbers: of --aa also POV-Ray's method.
+std::string_view method_of(std::string_view words) {
+    return words.starts_with("--aa ") ? words.substr(0, words.find(',')) : words.substr(0, words.find_first_of(" ="));
+}
+
+/// The value that is a step below `to`; nothing if there is none.
+std::optional<std::size_t> before(const Knob& knob, std::size_t to) {
+    for (std::size_t from = to; from-- > 0;)
+        if (method_of(knob.values[from].words) == method_of(knob.values[to].words)) return from;
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<KnobStep> knob_steps(const TradeRecord& record) {
@@ -21,11 +35,13 @@ std::vector<KnobStep> knob_steps(const TradeRecord& record) {
         if (!record.knobs[knob]->converges) continue;
         for (const QualityPreset& preset : quality_presets())
             for (std::size_t to = 1; to < record.knobs[knob]->values.size(); ++to) {
-                Setting before = preset_setting(preset, record.knobs), after = before;
-                before.values[knob] = to - 1, after.values[knob] = to;
-                const TradeSetting *a = measured(record, before), *b = measured(record, after);
+                const std::optional<std::size_t> from = before(*record.knobs[knob].table, to);
+                if (!from) continue;
+                Setting first = preset_setting(preset, record.knobs), second = first;
+                first.values[knob] = *from, second.values[knob] = to;
+                const TradeSetting *a = measured(record, first), *b = measured(record, second);
                 if (a && b)
-                    steps.push_back({knob, to - 1, to, std::string(preset.name), point_of(*a, record.cost), point_of(*b, record.cost)});
+                    steps.push_back({knob, *from, to, std::string(preset.name), point_of(*a, record.cost), point_of(*b, record.cost)});
             }
     }
     return steps;

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-/// From a value of a knob to the next more exact one, everything else as it is in a preset.
+/// From a value of a knob to the next more exact one of the same method of sampling, everything else as it is in a preset.
 struct KnobStep {
     std::size_t knob = 0, from = 0, to = 0;  ///< values
     std::string base;                        ///< name of the preset

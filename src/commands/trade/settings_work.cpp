@@ -195,5 +195,6 @@ private:
 }  // namespace
 
 void measure_settings(TradeWork& work, TradePart part) { SettingsWork(work, part).run(); }
+void take_known_settings(TradeWork& work) { SettingsWork(work, TradePart::settings); }
 
 }  // namespace rt

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
+#include <system_error>
 
 #include "commands/base/command_line.h"
+#include "commands/base/comparable_size.h"
 #include "commands/base/content_hash.h"
 #include "commands/base/interrupt.h"
 #include "commands/base/program.h"
@@ -19,6 +22,8 @@
 #include "commands/trade/trade_reports.h"
 #include "commands/trade/work.h"
 #include "core/source.h"
+#include "core/utf8.h"
+#include "grading/file_lock.h"
 
 namespace rt {
 
@@ -38,14 +43,21 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 
 /// Options of a render about what a trade does in its own way: it names its pictures itself and shows all of them.
 bool is_of_output(std::string_view name) {
-    return is_one_of(
-        name, {"--output",       "--outfile", "--povray-output", "--format",      "--povray-type",  "--bits",       "--output-to-file",
-               "--output-alpha", "--dither",  "--dither-method", "--crop",        "--start-column", "--end-column", "--start-row",
-               "--end-row",      "--stats",   "--progress",      "--all-console", "--help",         "--input"});
+    return is_one_of(name, {"--outfile", "--povray-output", "--format", "--povray-type", "--bits", "--output-to-file", "--output-alpha",
+                            "--dither", "--dither-method", "--crop", "--start-column", "--end-column", "--start-row", "--end-row",
+                            "--stats", "--progress", "--all-console"});
 }
 bool is_of_sampling(std::string_view name) {
-    return is_one_of(name, {"--ss", "--aa", "--antialias", "--max-error", "--time", "--preview", "--quality"}) ||
+    return is_one_of(name, {"--ss", "--aa", "--scale", "--antialias", "--max-error", "--time", "--preview", "--quality"}) ||
            name.starts_with("--aa-") || name.starts_with("--jitter");
+}
+
+void refuse(CommandLine& line, const std::string& name, std::string_view why) {
+    const auto refusal = [name, why] { throw OptionError(fmt::format("trade: without {}: {}", name, why)); };
+    if (render_option_takes_value(name))
+        line.value(name, "X", "", [refusal](const std::string&) { refusal(); });
+    else
+        line.flag(name, "", refusal);
 }
 
 /// The picture's settings, which every render gets: kept as words, since a render knows what they mean.
@@ -59,11 +71,12 @@ void define_picture(CommandLine& line, TradeDraft& draft) {
     shared("-L,--library", "DIR", "search includes there too", "--library");
     shared("--define", "NAME=VALUE", "declare a number or a string", "--define");
     for (const std::string& name : render_long_names()) {
-        if (is_one_of(name, {"--width", "--height", "--library", "--define", "--threads", "--quiet"}) || is_of_output(name)) continue;
+        if (is_one_of(name, {"--width", "--height", "--library", "--define", "--threads", "--quiet", "--output", "--help", "--input"}))
+            continue;
         if (is_of_sampling(name))
-            line.value(name, "X", "", [name](const std::string&) {
-                throw OptionError(fmt::format("trade: without {}: it varies the samples and qualities itself", name));
-            });
+            refuse(line, name, "it varies the samples and qualities itself");
+        else if (is_of_output(name))
+            refuse(line, name, "it names its pictures itself and shows all of them");
         else if (render_option_takes_value(name))
             shared(name, "X", "", name);
         else
@@ -79,7 +92,7 @@ void define(CommandLine& line, TradeDraft& draft) {
     define_picture(line, draft);
     line.value("--seconds", "S", "of the whole, about (300)",
                [&](const std::string& v) { request.seconds = real_number("seconds", v, 0.1, 1e7); });
-    line.value("--reference-error", "E", "RMSE that the reference is to reach (1/2048)",
+    line.value("--reference-error", "E", "RMSE that the reference is to reach (1/4096)",
                [&](const std::string& v) { request.reference_error = real_number("reference-error", v, 1e-6, 1.0); });
     line.value("--reference-seconds", "S", "or until it would take longer (1/5 of all)",
                [&](const std::string& v) { request.reference_seconds = real_number("reference-seconds", v, 0.001, 1e6); });
@@ -135,6 +148,7 @@ std::string read_words(const Words& words, TradeDraft& draft) {
     render.insert(render.end(), request.words.begin(), request.words.end());
     std::string help;
     request.job = parse_picture_arguments(render, help).value();
+    expect_comparable_size(request.job.width, request.job.height);
     const int processors = static_cast<int>(std::max(1l, sysconf(_SC_NPROCESSORS_ONLN)));
     request.job.threads = draft.threads > 0 ? draft.threads : processors;
     std::vector<std::string>& notes = request.job.notes;
@@ -197,7 +211,31 @@ void measure(TradeRequest& request, TradeScene& scene, const TradeClock& clock, 
     record.words = request.words, record.size = fmt::format("{} x {}", request.job.width, request.job.height);
     const TradeStore of_this_size = store();
     TradeWork work{request, scene, of_this_size, clock, progress, record};
-    carry_out(work);
+    try {
+        carry_out(work);
+    } catch (const TradeStopped&) {
+        record.complete = false;
+        if (work.reference.values.empty()) return;
+        recall(work);
+    }
+    remember(work);
+}
+
+/// Two trades in one folder would mix their pictures. Nothing on a disk without locks.
+std::optional<LockFile> lock_folder(const std::string& folder) {
+    try {
+        std::optional<LockFile> lock((fs::path(folder) / "lock").string());
+        if (lock->try_lock(0, LockFile::Kind::exclusive)) return lock;
+    } catch (const std::system_error&) {
+        return std::nullopt;
+    }
+    throw OutputError(fmt::format("another trade is at work in '{}'; give this one a folder of its own with -o", one_line(folder)));
+}
+
+/// Whether there is something to report; an interruption leaves the reports of an earlier trade rather than to put nothing in their place.
+bool leaves_reports(const TradeRecord& record, const std::string& folder) {
+    std::error_code none;
+    return record.settings.empty() && fs::exists(fs::path(folder) / "results.json", none);
 }
 
 int run(TradeRequest request) {
@@ -209,10 +247,15 @@ int run(TradeRequest request) {
     TradeScene scene(request.job, messages, signals.stop());
     record.knobs = scene.turned_knobs(request.words, messages);
     make_folders(request.folder);
+    const std::optional<LockFile> lock = lock_folder(request.folder);
     try {
         measure(request, scene, clock, record, messages);
     } catch (const TradeStopped&) {
         record.complete = false;
+    }
+    if (leaves_reports(record, request.folder)) {
+        messages(fmt::format("raytrace: interrupted before a setting was measured; the reports in {} are those of before", request.folder));
+        return exit_interrupted;
     }
     for (const std::size_t i : front_settings(record)) record.settings[i].on_front = true;
     write_trade_reports(record, request.folder);

@@ -133,6 +133,7 @@ Json trade_json(const TradeRecord& record) {
              {{"samples", reference.samples},
               {"rmse_estimated", reference.error},
               {"rmse_asked", reference.asked},
+              {"rmse_told_apart", reference.told_apart()},
               {"seconds", reference.seconds},
               {"grids", reference.grids},
               {"picture", "pictures/reference.png"}}},

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 std::vector<ReportColumn> columns(const TradeRecord& record) {
     std::vector<ReportColumn> list = {{"name", "Setting", CellKind::text, ""},
                                       {"outcome", "Front", CellKind::outcome, "whether no other setting is quicker and more exact"},
-                                      {"wall", "Clock", CellKind::seconds, "median of the whole: read, build, trace, encode"},
+                                      {"wall", "Clock", CellKind::seconds, "medians of reading, building, tracing and encoding, added"},
                                       {"cpu", "Processors", CellKind::seconds, "the same in seconds of all processors"},
                                       {"trace", "Trace", CellKind::seconds, "seconds of the clock"},
                                       {"rmse", "RMSE", CellKind::figure, "against the reference, encoded, 1 is full scale"},

@@ -9,7 +9,9 @@
 #include "commands/base/csv_field.h"
 #include "commands/base/json_text.h"
 #include "commands/base/write_bytes.h"
+#include "commands/trade/median.h"
 #include "commands/trade/trade_page.h"
+#include "core/utf8.h"
 
 namespace rt {
 
@@ -41,6 +43,12 @@ std::string line_of(const TradeSetting& setting, Cost cost) {
                        setting.unstable ? fmt::format("{}", setting.unstable->pixels) : "", setting.name);
 }
 
+long count_unstable_medians(const TradeRecord& record) {
+    return std::count_if(record.settings.begin(), record.settings.end(), [](const TradeSetting& setting) {
+        return setting.state == SettingState::measured && std::isfinite(setting.spread) && setting.spread >= RepeatRule{}.spread;
+    });
+}
+
 std::string counts_text(const TradeRecord& record) {
     const auto count = [&](SettingState state) {
         return std::count_if(record.settings.begin(), record.settings.end(),
@@ -49,6 +57,8 @@ std::string counts_text(const TradeRecord& record) {
     std::string text = fmt::format("{} settings measured", count(SettingState::measured));
     if (const auto slow = count(SettingState::too_slow)) text += fmt::format(", {} too slow", slow);
     if (const auto open = count(SettingState::not_run)) text += fmt::format(", {} not run", open);
+    if (const auto unstable = count_unstable_medians(record))
+        text += fmt::format(", {} of which the median may be off by more than {:g} %", unstable, 100.0 * RepeatRule{}.spread);
     if (record.out_of_time) text += "; the time was over before all was done as often as wanted: the same command goes on";
     return text;
 }
@@ -73,10 +83,11 @@ std::string trade_csv_text(const TradeRecord& record) {
 
 std::string trade_table_text(const TradeRecord& record) {
     const ReferenceFacts& reference = record.reference;
-    std::string text = fmt::format("{}, {}, {} threads\n", record.scene, record.size, record.threads);
+    std::string text = fmt::format("{}, {}, {} threads\n", one_line(record.scene), record.size, record.threads);
     if (!reference.complete()) return text + "the reference is not finished; the same command goes on with it\n";
     text += fmt::format("reference: {:.0f} rays a pixel, RMSE {:.5f} (estimated; {:.5f} was asked for), {:.1f} s\n", reference.samples,
                         reference.error, reference.asked, reference.seconds);
+    text += fmt::format("below RMSE {:.5f}, twice that, settings are not told apart\n", reference.told_apart());
     text += fmt::format("{}\n", counts_text(record));
     const std::string head = fmt::format("  {:>9}  {:>8}  {:>7}  {:>7}  {:>6}  {:>8}\n", record.cost == Cost::wall ? "seconds" : "CPU s",
                                          "RMSE", "p99", "max", "FLIP", "unstable");

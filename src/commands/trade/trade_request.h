@@ -16,7 +16,7 @@ struct TradeRequest {
     std::string folder = "trade-results";
     bool size_is_asked = false;             ///< else a smaller picture is taken where the scene is slow
     double seconds = 300.0;                 ///< of the whole, of the clock
-    double reference_error = 1.0 / 2048.0;  ///< RMSE; the reference grows until it is estimated to be below
+    double reference_error = 1.0 / 4096.0;  ///< RMSE; the reference grows until it is estimated to be below
     double reference_seconds = 0.0;         ///< or would take longer; settled from `seconds` where it is not asked for
     double run_seconds = 0.0;               ///< a setting of which one run takes longer is left out; settled likewise
     RepeatRule rule;

@@ -28,10 +28,15 @@ std::vector<std::size_t> comparable_settings(const TradeRecord& record) {
     return list;
 }
 
+TradePoint front_point(const TradeRecord& record, const TradeSetting& setting) {
+    const TradePoint point = point_of(setting, record.cost);
+    return {point.seconds, std::max(point.error, record.reference.told_apart())};
+}
+
 std::vector<std::size_t> front_settings(const TradeRecord& record) {
     const std::vector<std::size_t> list = comparable_settings(record);
     std::vector<TradePoint> points;
-    for (const std::size_t i : list) points.push_back(point_of(record.settings[i], record.cost));
+    for (const std::size_t i : list) points.push_back(front_point(record, record.settings[i]));
     std::vector<std::size_t> front;
     for (const std::size_t i : front_of(points)) front.push_back(list[i]);
     return front;

@@ -89,6 +89,8 @@ struct ReferenceFacts {
     double seconds = 0.0;    ///< of the clock
     std::vector<int> grids;  ///< sides of the grids that it is the mean of
     bool complete() const { return grids.size() >= 2; }
+    /// Errors below are not told apart: they are hardly larger than the reference's own, of which nobody knows the direction.
+    double told_apart() const { return 2.0 * error; }
 };
 
 /// The error of one value of one knob with everything else exact, and sampled until that does not matter.
@@ -117,6 +119,9 @@ struct TradeRecord {
 inline TradePoint point_of(const TradeSetting& setting, Cost cost) {
     return {total(phases_of(setting.median, cost)), setting.measured.error.rmse};
 }
+
+/// What the front is made of: errors that are not told apart are one.
+TradePoint front_point(const TradeRecord& record, const TradeSetting& setting);
 
 /// The settings that count for the front: measured and comparable.
 std::vector<std::size_t> comparable_settings(const TradeRecord& record);

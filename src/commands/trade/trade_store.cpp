@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "commands/base/content_hash.h"
 #include "commands/base/json_text.h"
@@ -21,11 +22,14 @@ constexpr const char* record_name = "record.json";
 constexpr const char* film_name = "film";
 constexpr std::size_t most_bytes = std::size_t{1} << 36;
 
+/// Of times, errors and numbers of samples.
+double amount(const JsonValue& value) { return value.number_in(0.0, std::numeric_limits<double>::max()); }
+
 Json seconds_json(const Phases& p) { return {p.build, p.trace, p.write}; }
 
 Phases seconds_of(const JsonValue& value) {
     if (value.size() != 3) value.fail("three numbers");
-    return {.parse = 0.0, .build = value.item(0).number(), .trace = value.item(1).number(), .write = value.item(2).number()};
+    return {.parse = 0.0, .build = amount(value.item(0)), .trace = amount(value.item(1)), .write = amount(value.item(2))};
 }
 
 Json json_of(const Measured& m) {
@@ -47,10 +51,10 @@ Measured measured_of(const JsonValue& value) {
     const JsonValue rays = value["rays"], error = value["error"];
     if (rays.size() != 5) rays.fail("five numbers");
     if (error.size() != 4) error.fail("four numbers");
-    const auto count = [&](std::size_t i) { return static_cast<std::uint64_t>(rays.item(i).number()); };
+    const auto count = [&](std::size_t i) { return static_cast<std::uint64_t>(amount(rays.item(i))); };
     m.rays = {count(0), count(1), count(2), count(3), count(4)};
-    m.non_finite = static_cast<std::uint64_t>(value["non_finite"].number());
-    m.error = {error.item(0).number(), error.item(1).number(), error.item(2).number(), error.item(3).number()};
+    m.non_finite = static_cast<std::uint64_t>(amount(value["non_finite"]));
+    m.error = {amount(error.item(0)), amount(error.item(1)), amount(error.item(2)), amount(error.item(3))};
     m.picture = value["picture"].word();
     return m;
 }
@@ -62,15 +66,35 @@ Json json_of(const ReferenceFacts& facts) {
 ReferenceFacts facts_of(const JsonValue& value) {
     ReferenceFacts facts;
     for (std::size_t i = 0; i < value["grids"].size(); ++i) facts.grids.push_back(static_cast<int>(value["grids"].item(i).count()));
-    facts.samples = value["samples"].number(), facts.error = value["error"].number(), facts.seconds = value["seconds"].number();
+    facts.samples = amount(value["samples"]), facts.error = amount(value["error"]), facts.seconds = amount(value["seconds"]);
     return facts;
 }
 
+Json json_of(const KnownSetting& known) {
+    Json values = Json::array();
+    for (const std::size_t value : known.setting.values) values.push_back(value == as_stated ? Json() : Json(value));
+    return {{"values", values},
+            {"origin", name_of(origin_names, known.origin)},
+            {"too_slow", known.too_slow},
+            {"expected_seconds", known.expected_seconds}};
+}
+
+KnownSetting known_setting_of(const JsonValue& value) {
+    KnownSetting known;
+    for (std::size_t i = 0; i < value["values"].size(); ++i) {
+        const JsonValue place = value["values"].item(i);
+        known.setting.values.push_back(place.is_null() ? as_stated : place.count());
+    }
+    known.origin = value["origin"].name(origin_names, "reason for a setting"), known.too_slow = value["too_slow"].truth();
+    known.expected_seconds = amount(value["expected_seconds"]);
+    return known;
+}
+
 UnstableCount unstable_of(const JsonValue& value) {
-    UnstableCount unstable{static_cast<std::uint64_t>(value["pixels"].number()), {}};
+    UnstableCount unstable{static_cast<std::uint64_t>(amount(value["pixels"])), {}};
     const JsonValue causes = value["by_cause"];
     if (causes.size() != unstable_causes) causes.fail("a number for each cause");
-    for (std::size_t i = 0; i < unstable_causes; ++i) unstable.by_cause[i] = static_cast<std::uint64_t>(causes.item(i).number());
+    for (std::size_t i = 0; i < unstable_causes; ++i) unstable.by_cause[i] = static_cast<std::uint64_t>(amount(causes.item(i)));
     return unstable;
 }
 
@@ -93,7 +117,7 @@ TradeStore::TradeStore(const std::string& folder, std::string content, bool fres
     : entries_(folder), content_(std::move(content)), fresh_(fresh) {}
 
 std::string TradeStore::key(const char* kind, const std::string& words) const {
-    return hash_of(fmt::format("raytrace trade 1\n{}\n{}\n{}", content_, kind, words));
+    return hash_of(fmt::format("raytrace trade 2\n{}\n{}\n{}", content_, kind, words));
 }
 
 std::optional<std::string> TradeStore::text(const std::string& key, const std::string& name) const {
@@ -108,7 +132,12 @@ std::optional<KnownReference> TradeStore::reference(const std::string& words, in
     KnownReference known{{}, Film(width, height)};
     const std::size_t bytes = known.film.pixels.size() * sizeof(Pixel);
     if (!record || !film || film->size() != bytes) return std::nullopt;
-    const std::optional<ReferenceFacts> facts = read_record(*record, facts_of);
+    const std::string hash = hash_of(*film);
+    const auto read = [&](const JsonValue& value) {
+        if (value["film"].word() != hash) value["film"].fail("the fingerprint of the film");
+        return facts_of(value);
+    };
+    const std::optional<ReferenceFacts> facts = read_record(*record, read);
     if (!facts) return std::nullopt;
     known.facts = *facts;
     std::memcpy(known.film.pixels.data(), film->data(), bytes);
@@ -118,7 +147,9 @@ std::optional<KnownReference> TradeStore::reference(const std::string& words, in
 void TradeStore::put_reference(const std::string& words, const KnownReference& reference) const {
     const std::string entry = key("reference", words);
     const std::string film(reinterpret_cast<const char*>(reference.film.pixels.data()), reference.film.pixels.size() * sizeof(Pixel));
-    entries_.put(entry, {{record_name, json_text(json_of(reference.facts), 1)}, {film_name, film}});
+    Json facts = json_of(reference.facts);
+    facts["film"] = hash_of(film);
+    entries_.put(entry, {{record_name, json_text(facts, 1)}, {film_name, film}});
     put_.push_back(entry);
 }
 
@@ -130,6 +161,24 @@ std::optional<Measured> TradeStore::measured(const std::string& words) const {
 void TradeStore::put_measured(const std::string& words, const Measured& measured) const {
     const std::string entry = key("setting", words);
     entries_.put(entry, {{record_name, json_text(json_of(measured), 1)}});
+    put_.push_back(entry);
+}
+
+std::vector<KnownSetting> TradeStore::settings() const {
+    const auto read = [](const JsonValue& value) {
+        std::vector<KnownSetting> list;
+        for (std::size_t i = 0; i < value.size(); ++i) list.push_back(known_setting_of(value.item(i)));
+        return list;
+    };
+    const std::optional<std::string> record = text(key("settings", ""), record_name);
+    return record ? read_record(*record, read).value_or(std::vector<KnownSetting>()) : std::vector<KnownSetting>();
+}
+
+void TradeStore::put_settings(const std::vector<KnownSetting>& settings) const {
+    const std::string entry = key("settings", "");
+    Json list = Json::array();
+    for (const KnownSetting& known : settings) list.push_back(json_of(known));
+    entries_.put(entry, {{record_name, json_text(list, 1)}});
     put_.push_back(entry);
 }
 
@@ -152,7 +201,7 @@ void TradeStore::put_alone(const std::string& words, double rmse) const { put_nu
 
 std::optional<double> TradeStore::number(const char* kind, const std::string& words, const char* name) const {
     const std::optional<std::string> record = text(key(kind, words), record_name);
-    return record ? read_record(*record, [&](const JsonValue& value) { return value[name].number(); }) : std::nullopt;
+    return record ? read_record(*record, [&](const JsonValue& value) { return amount(value[name]); }) : std::nullopt;
 }
 
 void TradeStore::put_number(const char* kind, const std::string& words, const char* name, double value) const {

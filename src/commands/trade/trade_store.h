@@ -16,6 +16,14 @@ struct KnownReference {
     Film film;
 };
 
+/// Of a setting, what is no measurement of it.
+struct KnownSetting {
+    Setting setting;
+    Origin origin = Origin::step;
+    bool too_slow = false;
+    double expected_seconds = 0.0;
+};
+
 /// Entries that cannot be read count as not there. All put functions throw OutputError.
 class TradeStore {
 public:
@@ -28,6 +36,10 @@ public:
 
     std::optional<Measured> measured(const std::string& words) const;
     void put_measured(const std::string& words, const Measured& measured) const;
+
+    /// The settings that a trade reported, in their order.
+    std::vector<KnownSetting> settings() const;
+    void put_settings(const std::vector<KnownSetting>& settings) const;
 
     std::optional<UnstableCount> unstable(const std::string& words) const;
     void put_unstable(const std::string& words, const UnstableCount& unstable) const;

@@ -54,8 +54,6 @@ std::string picture_path(const std::string& folder, const std::string& setting_n
 
 std::string reference_path(const std::string& folder) { return (fs::path(folder) / "pictures" / "reference.png").string(); }
 
-namespace {
-
 void add_setting(TradeRecord& record, const Setting& setting, Origin origin) {
     TradeSetting added;
     added.setting = setting, added.origin = origin;
@@ -63,6 +61,28 @@ void add_setting(TradeRecord& record, const Setting& setting, Origin origin) {
     added.comparable = is_comparable(setting, record.knobs);
     record.settings.push_back(std::move(added));
 }
+
+void remember(const TradeWork& work) {
+    std::vector<KnownSetting> list;
+    for (const TradeSetting& setting : work.record.settings)
+        list.push_back({setting.setting, setting.origin, setting.state == SettingState::too_slow, setting.expected_seconds});
+    work.store.put_settings(list);
+}
+
+void recall(TradeWork& work) {
+    std::vector<TradeSetting>& settings = work.record.settings;
+    for (const KnownSetting& known : work.store.settings()) {
+        if (known.setting.values.size() != work.record.knobs.size()) continue;
+        const auto is_it = [&](const TradeSetting& setting) { return setting.setting == known.setting; };
+        if (std::none_of(settings.begin(), settings.end(), is_it)) add_setting(work.record, known.setting, known.origin);
+        TradeSetting& setting = *std::find_if(settings.begin(), settings.end(), is_it);
+        if (setting.state == SettingState::not_run && known.too_slow)
+            setting.state = SettingState::too_slow, setting.expected_seconds = known.expected_seconds;
+    }
+    take_known_settings(work), take_known_alone(work), take_known_instability(work);
+}
+
+namespace {
 
 /// Measured less often than wanted, or not at all, for no reason but time.
 bool is_unfinished(const TradeSetting& setting, const TradeWork& work) {

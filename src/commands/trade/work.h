@@ -30,12 +30,22 @@ struct PictureSize {
 /// That of the request, or smaller where the time does not suffice for it. What was chosen once stays. Throws TradeStopped.
 PictureSize usual_size(const TradeWork& work);
 
+/// Of an interrupted trade: whatever an earlier one had reported and the store still knows counts as measured.
+void recall(TradeWork& work);
+/// Puts into the store which settings there are.
+void remember(const TradeWork& work);
+
 void make_reference(TradeWork& work);
+void add_setting(TradeRecord& record, const Setting& setting, Origin origin);
 /// The errors of the values that occur in the record's settings.
 void measure_alone(TradeWork& work);
 /// Every setting of the record, until its median is stable or the time of this part is over: presets first, the others only if there is
 /// time for the least number of runs.
 void measure_settings(TradeWork& work, TradePart part);
+/// What an earlier trade measured of the record's settings, of their values alone, and of pixels that hang by the last bits.
+void take_known_settings(TradeWork& work);
+void take_known_alone(TradeWork& work);
+void take_known_instability(TradeWork& work);
 
 /// Pixels that hang by the last bits, for the presets and what differs from one only in a knob of precision.
 void measure_instability(TradeWork& work);

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "commands/base/command_line.h"
+#include "commands/base/comparable_size.h"
 #include "commands/base/content_hash.h"
 #include "commands/base/interrupt.h"
 #include "commands/base/program.h"
@@ -33,7 +34,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int exit_differs = 1, exit_nothing_compared = 4;
-constexpr long most_pixels = 1l << 25;  ///< 7680 x 4320 is less; comparing takes some 100 bytes for each
 
 struct VersusJob {
     VersusSettings settings;
@@ -100,8 +100,7 @@ void settle_size(VersusSettings& settings) {
         if (!is_asked(option) && !is_asked("--size=")) words.insert(words.begin(), word);
     settings.job = job_of_words(words);
     const long width = settings.job.width, height = settings.job.height;
-    if (width * height > most_pixels)
-        throw OptionError(fmt::format("{} x {} pixels are too many to compare; at most {} are", width, height, most_pixels));
+    expect_comparable_size(width, height);
 }
 
 /// What both programs cannot share is refused by name, so that nobody takes it for a mistyped word.

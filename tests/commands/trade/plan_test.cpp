@@ -186,13 +186,40 @@ TEST(KnobSteps, AreMeasuredNeighboursOfOnePreset) {
     const std::vector<KnobStep> steps = knob_steps(record);
     std::size_t around_good = 0;
     for (const KnobStep& step : steps) {
-        EXPECT_EQ(step.to, step.from + 1);
+        EXPECT_TRUE(step.to == step.from + 1 || knobs[step.knob]->name == "samples");
         EXPECT_NE(knobs[step.knob]->name, "distribution");
-        EXPECT_NEAR(step.time_factor(), 1.5 + 0.1 * static_cast<double>(step.knob), 1e-9);
+        EXPECT_NEAR(step.time_factor(), std::pow(1.5 + 0.1 * static_cast<double>(step.knob), static_cast<double>(step.to - step.from)),
+                    1e-9 * step.time_factor());
         EXPECT_LE(step.after.error, step.before.error);
         around_good += step.base == "good";
     }
-    EXPECT_EQ(around_good, knobs[0]->values.size() - 1 + knobs[1]->values.size() - 1);
+    constexpr std::size_t methods = 4;  // of samples: the first of each is no step from another
+    EXPECT_EQ(around_good, knobs[0]->values.size() - methods + knobs[1]->values.size() - 1);
+}
+
+/// "3 x 3" stands behind POV-Ray's methods, which lie between in time: what it is a step from is "2 x 2".
+TEST(KnobSteps, StayWithinOneMethodOfSampling) {
+    const TurnedKnobs knobs = turned({"samples"});
+    const auto words = [&](std::size_t value) { return knobs[0]->values[value].words; };
+    std::set<std::pair<std::string_view, std::string_view>> pairs;
+    for (const KnobStep& step : knob_steps(measured_record(knobs))) pairs.emplace(words(step.from), words(step.to));
+    EXPECT_TRUE(pairs.contains({"--ss 2", "--ss 3"}));
+    EXPECT_TRUE(pairs.contains({"--aa 1,0.3,2", "--aa 1,0.1,3"}));
+    EXPECT_TRUE(pairs.contains({"--aa 2,0.1,3", "--aa 2,0.03,4"}));
+    EXPECT_TRUE(pairs.contains({"--max-error 0.03125", "--max-error 0.015625"}));
+    EXPECT_FALSE(pairs.contains({"--aa 2,0.1,3", "--ss 3"}));
+}
+
+/// Of settings that the reference cannot tell apart the quickest is on the front.
+TEST(FrontSettings, EndWhereTheReferenceEnds) {
+    const TurnedKnobs knobs = turned({"samples"});
+    TradeRecord record = measured_record(knobs);
+    const std::size_t all = front_settings(record).size();
+    record.reference.grids = {5, 7}, record.reference.error = 0.5 * Model::alone(0, 4, knobs);
+    const std::vector<std::size_t> front = front_settings(record);
+    EXPECT_LT(front.size(), all);
+    EXPECT_EQ(record.settings[front.back()].setting.values[0], 4u);
+    EXPECT_EQ(front_point(record, record.settings[front.back()]).error, record.reference.told_apart());
 }
 
 /// The command line refuses it.

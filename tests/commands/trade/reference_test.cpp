@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <random>
+#include <string>
+
+#include "commands/job/knobs.h"
 
 namespace rt {
 namespace {
@@ -15,7 +18,24 @@ using testing::ElementsAre;
 TEST(NextGrid, HasAboutAsManySamplesAsAllBefore) {
     std::vector<int> grids;
     while (grids.size() < 9) grids.push_back(next_grid(grids));
-    EXPECT_THAT(grids, ElementsAre(3, 4, 5, 7, 10, 14, 20, 28, 40));
+    EXPECT_THAT(grids, ElementsAre(5, 7, 11, 13, 19, 29, 41, 59, 83));
+}
+
+/// A grid of n x n has the points (2 i + 1) / 2 n on each side.
+TEST(NextGrid, HasOnlyTheCentreInCommonWithAnyOtherAndWithASetting) {
+    std::vector<int> grids;
+    while (grids.size() < 9) grids.push_back(next_grid(grids));
+    std::vector<int> others = grids;
+    for (const KnobValue& value : find_knob("samples")->values)
+        if (value.words.starts_with("--ss ")) others.push_back(std::stoi(std::string(value.words.substr(5))));
+    ASSERT_GT(others.size(), grids.size() + 5);
+    for (const int a : grids)
+        for (const int b : others)
+            for (int i = 0; i < a; ++i)
+                for (int j = 0; j < b; ++j) {
+                    const bool same = a != b && (2 * i + 1) * b == (2 * j + 1) * a;
+                    EXPECT_TRUE(!same || 2 * i + 1 == a) << a << " and " << b;
+                }
 }
 
 TEST(Joined, IsTheMeanBySamples) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "grading/file_lock.h"
 #include "tests/commands/support.h"
 
 namespace rt {
@@ -256,6 +258,47 @@ TEST_F(Trade, AnInterruptionKeepsWhatIsMeasuredAndReportsIt) {
     EXPECT_EQ(run(words).status, 0);
     EXPECT_TRUE(results()["complete"]);
     EXPECT_EQ(results()["settings"].size(), 12u);
+    // What was reported once is reported after an interruption as well, however early that comes.
+    std::vector<std::string> further = words;
+    further.insert(further.end(), {"--reference-error", "0.0001", "--reference-seconds", "600"});
+    ASSERT_EQ(test::run_and_interrupt(further, {SIGINT}).status, 2);
+    EXPECT_EQ(results()["settings"].size(), 12u);
+    std::filesystem::remove("trade-results/" + results()["settings"][3]["picture"].get<std::string>());
+    further = words;
+    further.insert(further.end(), {"--runs", "1000"});
+    ASSERT_EQ(test::run_and_interrupt(further, {SIGINT}).status, 2);
+    const json last = results();
+    std::size_t measured = 0;
+    for (const json& setting : last["settings"]) measured += setting["state"] == "measured";
+    EXPECT_FALSE(last["complete"]);
+    EXPECT_EQ(last["settings"].size(), 12u);
+    EXPECT_GE(measured, 11u);
+}
+
+TEST_F(Trade, TwoInOneFolderAreRefused) {
+    ASSERT_EQ(trade({"a.pov", "--settings", "2"}).status, 0);
+    const std::string before = here.read("trade-results/results.json");
+    LockFile other("trade-results/lock");
+    ASSERT_TRUE(other.try_lock(0, LockFile::Kind::exclusive));
+    const Outcome outcome = trade({"a.pov", "--settings", "3"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_EQ(outcome.err, "raytrace: another trade is at work in 'trade-results'; give this one a folder of its own with -o\n");
+    EXPECT_EQ(here.read("trade-results/results.json"), before);
+    other.unlock(0);
+    EXPECT_EQ(trade({"a.pov", "--settings", "3"}).status, 0);
+}
+
+TEST_F(Trade, ADamagedPictureOfTheReferenceIsMadeAgain) {
+    ASSERT_EQ(trade({"a.pov", "--settings", "3"}).status, 0);
+    const json first = results();
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("trade-results/known"))
+        if (entry.path().filename() == "film") {
+            std::fstream film(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
+            film.seekp(16);
+            film.write("\x00\x00\x80\x3f", 4);
+        }
+    ASSERT_EQ(trade({"a.pov", "--settings", "3"}).status, 0);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(results()["settings"][i]["error"], first["settings"][i]["error"]);
 }
 
 TEST_F(Trade, MistakesAreToldInFull) {
@@ -272,10 +315,16 @@ TEST_F(Trade, MistakesAreToldInFull) {
     EXPECT_EQ(message({"a.pov", "--setings", "3"}, 1), "raytrace: unknown option '--setings'; did you mean '--settings'?\n");
     EXPECT_EQ(message({"a.pov", "--ss", "3"}, 1), "raytrace: trade: without --ss: it varies the samples and qualities itself\n");
     EXPECT_EQ(message({"a.pov", "+A0.3"}, 1), "raytrace: trade: without --antialias: it varies the samples and qualities itself\n");
+    EXPECT_EQ(message({"a.pov", "--scale", "2"}, 1), "raytrace: trade: without --scale: it varies the samples and qualities itself\n");
+    EXPECT_EQ(message({"a.pov", "--bits", "16"}, 1),
+              "raytrace: trade: without --bits: it names its pictures itself and shows all of them\n");
+    EXPECT_EQ(message({"a.pov", "--stats"}, 1), "raytrace: trade: without --stats: it names its pictures itself and shows all of them\n");
     EXPECT_EQ(message({"a.pov", "--cost", "money"}, 1), "raytrace: 'money' is no cost; expected one of wall, cpu\n");
     EXPECT_EQ(message({"a.pov", "--runs", "3,2"}, 1), "raytrace: runs: 2 is outside 3 to 1000\n");
     EXPECT_EQ(message({"a.pov", "--runs", "1,2,3"}, 1), "raytrace: runs: expected LEAST,MOST, not '1,2,3'\n");
     EXPECT_EQ(message({"a.pov", "-W", "0"}, 1), "raytrace: width: 0 is outside 1 to 1000000\n");
+    EXPECT_EQ(message({"a.pov", "-W", "100000", "-H", "100000"}, 1),
+              "raytrace: 100000 x 100000 pixels are too many to compare; at most 33554432 are\n");
     here.write("file", "");
     EXPECT_EQ(message({"a.pov", "-o", "file/x"}, 3), "raytrace: cannot make the folder 'file/x': Not a directory\n");
     EXPECT_FALSE(here.has("trade-results"));

@@ -71,18 +71,64 @@ TEST_F(TradeStoreTest, KeepsTheSizeByTheTimeOfTheTrade) {
 }
 
 TEST_F(TradeStoreTest, KeepsTheReferenceWithEveryBit) {
-    KnownReference reference{{25.0, 0.001, 0.0, 12.5, {3, 4}}, Film(2, 1)};
+    KnownReference reference{{74.0, 0.001, 0.0, 12.5, {5, 7}}, Film(2, 1)};
     reference.film.pixels = {{0.1f, 1e-30f, 1e30f, 0.5f}, {1.0f / 3.0f, 2.0f, 3.0f, 0.0f}};
     TradeStore("known", "content", false).put_reference("--ss 2", reference);
     const TradeStore store("known", "content", false);
     const std::optional<KnownReference> got = store.reference("--ss 2", 2, 1);
     ASSERT_TRUE(got);
     EXPECT_EQ(got->film.pixels, reference.film.pixels);
-    EXPECT_EQ(got->facts.grids, (std::vector<int>{3, 4}));
-    EXPECT_EQ(got->facts.samples, 25.0);
+    EXPECT_EQ(got->facts.grids, (std::vector<int>{5, 7}));
+    EXPECT_EQ(got->facts.samples, 74.0);
     EXPECT_EQ(got->facts.error, 0.001);
     EXPECT_EQ(got->facts.seconds, 12.5);
     EXPECT_FALSE(store.reference("--ss 2", 1, 1)) << "of another size";
+}
+
+TEST_F(TradeStoreTest, ADamagedReferenceIsNotThere) {
+    KnownReference reference{{74.0, 0.001, 0.0, 12.5, {5, 7}}, Film(2, 1)};
+    const TradeStore store("known", "content", false);
+    const auto spoil = [&](const std::string& name, const std::string& what, const std::string& instead) {
+        store.put_reference("--ss 2", reference);
+        ASSERT_TRUE(store.reference("--ss 2", 2, 1));
+        for (const auto& entry : std::filesystem::recursive_directory_iterator("known")) {
+            if (entry.path().filename() != name) continue;
+            std::string text = here.read(entry.path().string());
+            const std::size_t at = text.find(what);
+            ASSERT_NE(at, std::string::npos) << what;
+            std::ofstream(entry.path()) << text.replace(at, what.size(), instead);
+        }
+        EXPECT_FALSE(store.reference("--ss 2", 2, 1)) << what << " became " << instead;
+    };
+    spoil("film", std::string(1, '\0'), "\x40");
+    spoil("record.json", "12.5", "-12.5");
+    spoil("record.json", "12.5", "1e999");
+    spoil("record.json", "12.5", "\"NaN\"");
+    spoil("record.json", "0.001", "\"Infinity\"");
+}
+
+TEST_F(TradeStoreTest, ATimeBelowZeroIsNoMeasurement) {
+    const TradeStore store("known", "content", false);
+    Measured m = some_measurement();
+    m.runs[0].wall.trace = -1.5;
+    store.put_measured("--ss 2", m);
+    EXPECT_FALSE(store.measured("--ss 2"));
+    store.put_alone("--ss 2", -0.5);
+    EXPECT_FALSE(store.alone("--ss 2"));
+}
+
+TEST_F(TradeStoreTest, KeepsWhichSettingsThereWere) {
+    const std::vector<KnownSetting> put{{{{1, as_stated, 0}}, Origin::preset, false, 0.0}, {{{2, 0, 3}}, Origin::neighbour, true, 7.5}};
+    TradeStore("known", "content", false).put_settings(put);
+    const std::vector<KnownSetting> got = TradeStore("known", "content", false).settings();
+    ASSERT_EQ(got.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(got[i].setting, put[i].setting);
+        EXPECT_EQ(got[i].origin, put[i].origin);
+        EXPECT_EQ(got[i].too_slow, put[i].too_slow);
+        EXPECT_EQ(got[i].expected_seconds, put[i].expected_seconds);
+    }
+    EXPECT_TRUE(TradeStore("known", "other", false).settings().empty());
 }
 
 TEST_F(TradeStoreTest, KeepsWhatHangsByTheLastBitsByCause) {
