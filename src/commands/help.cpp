@@ -15,9 +15,16 @@ const char* const render_footer =
     "Commands: requires compare versus trade explain grade merge brdf version; help\n"
     "on povray scene shading edges sampling knobs quality output course pixel exit";
 const char* const requires_usage =
-    "Usage: raytrace requires [OPTION...] SCENE...\nWhat each scene needs of the program, and what in it is not modelled.";
+    "Usage: raytrace requires [OPTION...] SCENE|FOLDER...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
-    "A render's options and POV-Ray's (+Iscene.pov +Ldir ...) are understood, too.\nExit status: 0, or 1 if a scene has a mistake.";
+    R"(A render's options and POV-Ray's (+Iscene.pov +Ldir ...) are understood, too.
+
+Of several scenes, which features are missing besides: how many scenes ask for
+each, and how many for nothing else; then one after the other, so that most
+scenes are complete soonest. Each scene is read in a process of its own: one
+that has a mistake, never ends or takes all memory is listed with that.
+Exit status: 0; of the scenes that could not be read the worst one's: 1 a
+mistake, 4 a limit or the time, 5 a fault of this program; 2 interrupted.)";
 const char* const compare_usage = "Usage: raytrace compare [OPTION...] A B\nThe difference of two pictures; A is the reference.";
 const char* const compare_footer =
     "Exit status, as idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,\n4 a picture cannot be read. Also with one dash: -fail 0.01 "

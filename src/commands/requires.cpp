@@ -1,61 +1,129 @@
-// raytrace requires SCENE...: what each scene needs of the program.
+// raytrace requires SCENE|FOLDER...: what each scene needs of the program, and what is missing of it in all.
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/time.h>
 
-#include <cstdio>
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <new>
 
+#include "commands/base/interrupt.h"
 #include "commands/base/json_text.h"
 #include "commands/base/program.h"
+#include "commands/base/scene_folder.h"
+#include "commands/base/task_progress.h"
+#include "commands/base/values.h"
 #include "commands/commands.h"
 #include "commands/job/job_steps.h"
-#include "commands/job/picture_files.h"
 #include "commands/job/render_arguments.h"
 #include "commands/job/requirements.h"
+#include "commands/job/requirements_text.h"
 #include "core/source.h"
+#include "grading/descriptor.h"
+#include "grading/workers.h"
 #include "syntax/parser.h"
 
 namespace rt {
 
 namespace {
 
-std::string counts_text(const std::map<std::string, std::size_t>& counts) {
-    std::string text;
-    for (const auto& [name, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-    return text.empty() ? "none" : text;
+constexpr int exit_mistake = 1, exit_limit = 4, exit_internal = 5;
+
+/// Every scene of the words, those of folders in the order of their names.
+std::vector<std::string> all_scenes(const std::vector<std::string>& names) {
+    std::vector<std::string> scenes;
+    std::error_code none;
+    for (const std::string& name : names) {
+        if (!std::filesystem::is_directory(name, none)) {
+            scenes.push_back(name);
+            continue;
+        }
+        const std::vector<std::string> below = scenes_below(name, "");
+        if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", printable(name)));
+        scenes.insert(scenes.end(), below.begin(), below.end());
+    }
+    return scenes;
 }
 
-std::string text_of(const std::string& scene, const Requirements& needs) {
-    std::string text = fmt::format("{}\n", scene);
-    text += fmt::format("  objects:   {} ({})\n", needs.objects, counts_text(needs.shapes));
-    text += fmt::format("  triangles: {}\n", needs.triangles);
-    text += fmt::format("  lights:    {}\n", counts_text(needs.lights));
-    text += fmt::format("  camera:    {}\n", needs.camera);
-    text += fmt::format("  gamma:     {}\n", needs.gamma);
-    text += fmt::format("  language:  {}\n", needs.language_version > 0.0 ? fmt::format("{}", needs.language_version) : "not stated");
-    text += fmt::format("  features:  {}\n", needs.features.empty() ? "none" : fmt::format("{}", fmt::join(needs.features, ", ")));
-    text += fmt::format("  includes:  {}\n", needs.includes.empty() ? "none" : fmt::format("{}", fmt::join(needs.includes, ", ")));
-    if (needs.missing.empty()) return text + "  not modelled: nothing\n";
-    text += "  not modelled:\n";
-    for (const MissingFeature& missing : needs.missing)
-        text += fmt::format("    {}:{}:{}: {}\n", missing.file, missing.line, missing.column, missing.name);
-    return text;
+/// A mistake is told on standard error, too, in full.
+SceneReading failed(const std::string& scene, const std::string& error, int status) {
+    write_stderr(error + "\n");
+    return failed_reading(scene, error, status);
 }
 
-nlohmann::ordered_json json_of(const std::string& scene, const Requirements& needs) {
-    nlohmann::ordered_json missing = nlohmann::ordered_json::array();
-    for (const MissingFeature& m : needs.missing)
-        missing.push_back({{"name", m.name}, {"file", m.file}, {"line", m.line}, {"column", m.column}});
-    return {{"scene", scene},
-            {"objects", needs.objects},
-            {"shapes", needs.shapes},
-            {"triangles", needs.triangles},
-            {"lights", needs.lights},
-            {"camera", needs.camera},
-            {"gamma", needs.gamma},
-            {"language_version", needs.language_version},
-            {"features", needs.features},
-            {"includes", needs.includes},
-            {"not_modelled", missing}};
+SceneReading read(const std::string& scene, const ParseOptions& options) {
+    try {
+        return reading_of(scene, requirements_of(parse_file(scene, options, message_sink(true))));
+    } catch (const SceneError& error) {
+        return failed(scene, error.what(), exit_mistake);
+    } catch (const OptionError& error) {
+        return failed(scene, fmt::format("raytrace: {}", error.what()), exit_mistake);
+    } catch (const LimitError& error) {
+        return failed(scene, fmt::format("raytrace: {}", error.what()), exit_limit);
+    } catch (const std::bad_alloc&) {
+        return failed(scene, "raytrace: out of memory", exit_limit);
+    }
+}
+
+/// Sends this process SIGALRM, which ends it, after that time.
+void end_after(double seconds) {
+    const double whole = std::floor(seconds);
+    const auto rest = static_cast<suseconds_t>((seconds - whole) * 1e6);
+    std::signal(SIGALRM, SIG_DFL);
+    const itimerval timer{{}, {static_cast<time_t>(whole), rest}};
+    setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+/// Memory that processes share: one writes into it, another reads.
+class SharedBytes {
+public:
+    SharedBytes() : file_(memfd_create("bytes", MFD_CLOEXEC)) {
+        if (!file_) throw_errno("memory for what scenes need");
+    }
+    void write(const std::string& bytes) const { write_all(file_.get(), bytes.data(), bytes.size()); }
+    /// What was written since the last time.
+    std::string take() const {
+        std::string bytes;
+        lseek(file_.get(), 0, SEEK_SET);
+        while (read_some(file_.get(), bytes)) {
+        }
+        lseek(file_.get(), 0, SEEK_SET);
+        if (ftruncate(file_.get(), 0) != 0) throw_errno("memory for what scenes need");
+        return bytes;
+    }
+
+private:
+    Descriptor file_;
+};
+
+SceneReading reading_of_end(const std::string& scene, const WorkerEnd& end, const std::string& bytes, double seconds) {
+    if (end.done) return unpacked(bytes);
+    if (end.signal == SIGALRM)
+        return failed(scene, fmt::format("raytrace: {}: reading it takes more than {:g} s", scene, seconds), exit_limit);
+    const std::string problem = end.signal ? fmt::format("signal {}", end.signal) : end.problem;
+    return failed(scene, fmt::format("raytrace: internal fault: {}: {}", scene, problem), exit_internal);
+}
+
+/// Scenes one after the other, each in a process of its own: one that never ends or that ends its process stops no other.
+std::vector<SceneReading> readings_of(const std::vector<std::string>& scenes, const RequiresArguments& arguments,
+                                      const std::atomic<bool>& stop) {
+    const SharedBytes shared;
+    std::vector<SceneReading> readings;
+    TaskProgressLine line(scenes.size() > 1, "scenes");
+    run_jobs(scenes.size(), 1,
+             {.begin = {},
+              .work =
+                  [&](std::size_t i, int) {
+                      end_after(arguments.seconds);
+                      shared.write(packed(read(scenes[i], arguments.parse)));
+                  },
+              .done = [&](std::size_t i,
+                          const WorkerEnd& end) { readings.push_back(reading_of_end(scenes[i], end, shared.take(), arguments.seconds)); },
+              .idle = [&] { line.update({.tasks = scenes.size(), .done = readings.size()}); }},
+             stop);
+    return readings;
 }
 
 }  // namespace
@@ -67,27 +135,23 @@ int run_requires(const Words& words) {
         write_stdout(help);
         return 0;
     }
-    ParseOptions& options = arguments->parse;
-    const bool as_json = arguments->json;
-    for (std::string& path : default_library_paths()) options.library_paths.push_back(std::move(path));
-
-    options.read_picture = read_picture_file;
-
-    int status = 0;
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const std::string& scene : arguments->scenes) {
-        try {
-            const Requirements needs = requirements_of(parse_file(scene, options, message_sink(true)));
-            if (as_json)
-                all.push_back(json_of(scene, needs));
-            else
-                write_stdout(text_of(scene, needs));
-        } catch (const SceneError& error) {  // the other scenes still count
-            write_stderr(fmt::format("{}\n", error.what()));
-            status = 1;
-        }
+    for (std::string& path : default_library_paths()) arguments->parse.library_paths.push_back(std::move(path));
+    const std::vector<std::string> scenes = all_scenes(arguments->scenes);
+    std::vector<SceneReading> readings;
+    {
+        const StopOnSignal signals;
+        readings = readings_of(scenes, *arguments, signals.stop());
     }
-    if (as_json) write_stdout(json_text(all, 2));
+    int status = readings.size() < scenes.size() ? exit_interrupted : 0;
+    for (const SceneReading& reading : readings) status = std::max(status, reading.status);
+    if (arguments->json) {
+        write_stdout(json_text(readings_json(readings), 2));
+        return status;
+    }
+    std::string text;
+    for (const SceneReading& reading : readings)
+        if (scenes.size() > 1 || reading.status == 0) text += reading.text;
+    write_stdout(scenes.size() > 1 ? text + missing_text(readings) : text);
     return status;
 }
 

@@ -240,7 +240,8 @@ TEST_F(Program, RequiresListsWhatASceneNeeds) {
     EXPECT_NE(json.out.find("\"line\": 7"), std::string::npos);
     const Outcome mixed = run({"requires", "none.pov", "a.pov"});
     EXPECT_EQ(mixed.status, 1);
-    EXPECT_EQ(mixed.out.find("a.pov\n"), 0u);
+    EXPECT_EQ(mixed.out.find("none.pov\n  error: "), 0u) << mixed.out;
+    EXPECT_NE(mixed.out.find("\na.pov\n  objects: "), std::string::npos) << mixed.out;
 }
 
 TEST_F(Program, CompareHasTheExitCodesOfIdiff) {

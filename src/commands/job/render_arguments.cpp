@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands/base/command_line.h"
+#include "commands/base/values.h"
 #include "commands/help.h"
 #include "commands/job/course_scene.h"
 #include "commands/job/povray_syntax.h"
@@ -61,7 +62,9 @@ std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std:
     RenderDraft draft;
     RequiresArguments arguments;
     CommandLine line(requires_usage, requires_footer);
-    line.flag("--json", "one JSON array instead of text", [&] { arguments.json = true; });
+    line.flag("--json", "JSON instead of text", [&] { arguments.json = true; });
+    line.value("--timeout", "S", "for reading each scene (60)",
+               [&](const std::string& v) { arguments.seconds = real_number("timeout", v, 0.01, 1e6); });
     define_scene(line, draft);
     line.hide_from_help();  // of a picture that is not rendered
     define_picture(line, draft);

@@ -24,12 +24,13 @@ std::vector<std::string> render_long_names();
 std::string in_long_options(const std::string& povray_switch);
 
 struct RequiresArguments {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes;  ///< and folders
     ParseOptions parse;
+    double seconds = 60.0;  ///< that reading one scene may take
     bool json = false;
 };
 
-/// The same for `raytrace requires`: everything that a render understands, and any number of scenes.
+/// The same for `raytrace requires`: everything that a render understands, and any number of scenes and folders.
 std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std::string>& words, std::string& help);
 
 }  // namespace rt

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "commands/base/csv_field.h"
 #include "commands/base/write_bytes.h"
@@ -43,21 +42,10 @@ std::string time_cells(const VersusRun& run) {
 }  // namespace
 
 std::vector<MissingCount> missing_counts(const std::vector<VersusResult>& results) {
-    std::map<std::string, MissingCount> counts;
-    for (const VersusResult& result : results) {
-        if (result.cause != VersusCause::not_modelled) continue;
-        for (const auto& [name, file, line, column] : result.missing) {
-            MissingCount& count = counts.try_emplace(name, MissingCount{name}).first->second;
-            ++count.scenes;
-            if (result.missing.size() == 1) ++count.only_this;
-        }
-    }
-    std::vector<MissingCount> list;
-    for (const auto& [name, count] : counts) list.push_back(count);
-    std::stable_sort(list.begin(), list.end(), [](const MissingCount& a, const MissingCount& b) {
-        return std::pair(a.only_this, a.scenes) > std::pair(b.only_this, b.scenes);
-    });
-    return list;
+    MissingOfScenes scenes;
+    for (const VersusResult& result : results)
+        if (result.cause == VersusCause::not_modelled) scenes.push_back(result.missing);
+    return missing_counts(scenes);
 }
 
 std::vector<const VersusResult*> worst_first(const VersusRecord& record) {

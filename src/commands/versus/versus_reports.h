@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/job/missing_counts.h"
 #include "commands/versus/versus_result.h"
 
 namespace rt {
@@ -16,13 +17,7 @@ struct VersusRecord {
     std::vector<VersusResult> results;  ///< in the order of the scenes
 };
 
-/// A feature that is not modelled, by what modelling it would gain.
-struct MissingCount {
-    std::string name;
-    std::size_t scenes = 0;     ///< that ask for it and that POV-Ray renders
-    std::size_t only_this = 0;  ///< of them, those that ask for nothing else that is missing
-};
-/// Most of `only_this` first, then most `scenes`, then by name.
+/// Of the scenes that POV-Ray renders and that ask for what is not modelled.
 std::vector<MissingCount> missing_counts(const std::vector<VersusResult>& results);
 
 /// Worst first: by cause in the order of VersusCause; those that differ or agree by the pixels beyond the step, then RMSE, then name.

@@ -88,7 +88,8 @@ private:
         Sources sources;
         sources.add({"raytrace requires", ending.output});
         const nlohmann::json content = parse_json(sources);
-        const JsonValue needs = JsonValue(sources, content).item(0), missing = needs["not_modelled"], features = needs["features"];
+        const JsonValue needs = JsonValue(sources, content)["scenes"].item(0), missing = needs["not_modelled"],
+                        features = needs["features"];
         for (std::size_t i = 0; i < features.size(); ++i)
             reading.draws_edges = reading.draws_edges || features.item(i).word() == "edge lines";
         std::set<std::string> names;

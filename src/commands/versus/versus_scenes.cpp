@@ -8,6 +8,7 @@
 #include <set>
 
 #include "commands/base/name_pattern.h"
+#include "commands/base/scene_folder.h"
 #include "commands/base/values.h"
 #include "core/source.h"
 #include "core/utf8.h"
@@ -18,31 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const fs::path& path) { return lower_case(path.extension().string()) == ".pov"; }
-
-/// Whether a folder's content is nobody's scene: hidden, or the output of a comparison.
-bool is_left_out(const fs::path& path, const fs::path& output) { return path.filename().string().starts_with('.') || path == output; }
-
 std::string shown(const fs::path& name) {
     if (is_utf8(name.string())) return name.string();
     std::string text;
     for (const char c : name.string())
         text += static_cast<unsigned char>(c) < 0x80 ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     return text;
-}
-
-std::vector<fs::path> scenes_below(const fs::path& folder, const fs::path& output) {
-    std::vector<fs::path> scenes;
-    std::error_code error, none;
-    for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end; entry != end && !error;
-         entry.increment(error)) {
-        if (entry->is_directory(none) && is_left_out(entry->path(), output))
-            entry.disable_recursion_pending();
-        else if (entry->is_regular_file(none) && is_scene(entry->path()))
-            scenes.push_back(entry->path());
-    }
-    std::sort(scenes.begin(), scenes.end());
-    return scenes;
 }
 
 void add(const std::string& argument, const fs::path& output, std::vector<VersusScene>& scenes) {
@@ -55,11 +37,11 @@ void add(const std::string& argument, const fs::path& output, std::vector<Versus
         return;
     }
     if (!fs::is_directory(path)) throw OptionError(fmt::format("'{}' is neither a scene nor a folder", printable(argument)));
-    const std::vector<fs::path> below = scenes_below(path, output);
+    const std::vector<std::string> below = scenes_below(path.string(), output.string());
     if (below.empty()) throw OptionError(fmt::format("there is no scene (*.pov) in the folder '{}'", printable(argument)));
-    for (const fs::path& scene : below) {
-        const fs::path inner = scene.lexically_relative(path).replace_extension();
-        scenes.push_back({shown(path.filename() / inner), scene.string()});
+    for (const std::string& scene : below) {
+        const fs::path inner = fs::path(scene).lexically_relative(path).replace_extension();
+        scenes.push_back({shown(path.filename() / inner), scene});
     }
 }
 
