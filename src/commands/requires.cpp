@@ -17,6 +17,7 @@
 #include "commands/base/values.h"
 #include "commands/commands.h"
 #include "commands/job/job_steps.h"
+#include "commands/job/picture_files.h"
 #include "commands/job/render_arguments.h"
 #include "commands/job/requirements.h"
 #include "commands/job/requirements_text.h"
@@ -136,6 +137,7 @@ int run_requires(const Words& words) {
         return 0;
     }
     for (std::string& path : default_library_paths()) arguments->parse.library_paths.push_back(std::move(path));
+    arguments->parse.read_picture = read_picture_file;
     const std::vector<std::string> scenes = all_scenes(arguments->scenes);
     std::vector<SceneReading> readings;
     {

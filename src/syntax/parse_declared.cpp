@@ -39,9 +39,9 @@ bool is_unmodelled_value(Word w) {
 
 [[gnu::noinline]] std::optional<Value> parse_map_block(Reader& reader) {
     if (reader.accept(Word::color_map) || reader.accept(Word::colour_map)) return parse_color_map(reader);
-    if (reader.accept(Word::pigment_map)) return parse_pigment_map(reader);
-    if (reader.accept(Word::normal_map)) return parse_normal_map(reader);
-    if (reader.accept(Word::texture_map)) return parse_texture_map(reader);
+    if (reader.accept(Word::pigment_map)) return parse_pigment_map(reader, MapValues::places);
+    if (reader.accept(Word::normal_map)) return parse_normal_map(reader, MapValues::places);
+    if (reader.accept(Word::texture_map)) return parse_texture_map(reader, MapValues::places);
     if (reader.accept(Word::slope_map)) return parse_slope_map(reader);
     return std::nullopt;
 }

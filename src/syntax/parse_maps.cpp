@@ -7,11 +7,13 @@ namespace rt {
 
 namespace {
 
-/// `[value item] ...`; `parse_item(value)` reads what follows the value and its comma.
+/// `[value item] ...`; `parse_item(value)` reads what follows the value and its comma. Where values are weights one that is not stated
+/// is 1.
 template <typename Item>
-void parse_entries(Reader& reader, const Item& parse_item) {
+void parse_entries(Reader& reader, MapValues values, const Item& parse_item) {
     while (reader.accept('[')) {
-        const double value = reader.parse_float();
+        const bool stated = values == MapValues::places || reader.at_expression() || at_color(reader);
+        const double value = stated ? reader.parse_float() : 1.0;
         reader.accept_comma();
         parse_item(value);
         reader.expect(']');
@@ -20,7 +22,7 @@ void parse_entries(Reader& reader, const Item& parse_item) {
 
 /// The map's block: a declared one of the same kind, then entries.
 template <typename Map, typename Item>
-Shared<Map> parse_map(Reader& reader, std::string_view word, std::string_view empty, const Item& parse_item) {
+Shared<Map> parse_map(Reader& reader, std::string_view word, std::string_view empty, MapValues values, const Item& parse_item) {
     reader.begin_block(word);
     Shared<Map> map;
     const bool declared = [&] {
@@ -30,7 +32,7 @@ Shared<Map> parse_map(Reader& reader, std::string_view word, std::string_view em
     }();
     if (!declared) {
         Map made;
-        parse_entries(reader, [&](double value) { parse_item(made, value); });
+        parse_entries(reader, values, [&](double value) { parse_item(made, value); });
         if (made == Map()) reader.fail(reader.peek().span, empty);
         map = std::move(made);
     }
@@ -64,13 +66,13 @@ void parse_color_entry(Reader& reader, ColorMap& map, double value) {
 }  // namespace
 
 Shared<ColorMap> parse_color_map(Reader& reader) {
-    return parse_map<ColorMap>(reader, "color_map", "Must have at least one color in color map.",
+    return parse_map<ColorMap>(reader, "color_map", "Must have at least one color in color map.", MapValues::places,
                                [&](ColorMap& map, double value) { parse_color_entry(reader, map, value); });
 }
 
-Shared<PigmentMap> parse_pigment_map(Reader& reader) {
+Shared<PigmentMap> parse_pigment_map(Reader& reader, MapValues values) {
     const Span place = reader.last_place();
-    Shared<PigmentMap> map = parse_map<PigmentMap>(reader, "pigment_map", no_entry, [&](PigmentMap& made, double value) {
+    Shared<PigmentMap> map = parse_map<PigmentMap>(reader, "pigment_map", no_entry, values, [&](PigmentMap& made, double value) {
         made.values.push_back(value);
         made.pigments.push_back(parse_pigment_body(reader, default_pigment(reader)));
     });
@@ -78,9 +80,9 @@ Shared<PigmentMap> parse_pigment_map(Reader& reader) {
     return map;
 }
 
-Shared<NormalMap> parse_normal_map(Reader& reader) {
+Shared<NormalMap> parse_normal_map(Reader& reader, MapValues values) {
     const Span place = reader.last_place();
-    Shared<NormalMap> map = parse_map<NormalMap>(reader, "normal_map", no_entry, [&](NormalMap& made, double value) {
+    Shared<NormalMap> map = parse_map<NormalMap>(reader, "normal_map", no_entry, values, [&](NormalMap& made, double value) {
         made.values.push_back(value);
         made.normals.push_back(parse_normal_body(reader, nullptr));
     });
@@ -88,9 +90,9 @@ Shared<NormalMap> parse_normal_map(Reader& reader) {
     return map;
 }
 
-Shared<TextureMap> parse_texture_map(Reader& reader) {
+Shared<TextureMap> parse_texture_map(Reader& reader, MapValues values) {
     const Span place = reader.last_place();
-    Shared<TextureMap> map = parse_map<TextureMap>(reader, "texture_map", no_entry, [&](TextureMap& made, double value) {
+    Shared<TextureMap> map = parse_map<TextureMap>(reader, "texture_map", no_entry, values, [&](TextureMap& made, double value) {
         std::optional<TextureLayers> layers;
         parse_texture_body(reader, layers);
         made.values.push_back(value);
@@ -101,7 +103,7 @@ Shared<TextureMap> parse_texture_map(Reader& reader) {
 }
 
 Shared<SlopeMap> parse_slope_map(Reader& reader) {
-    return parse_map<SlopeMap>(reader, "slope_map", no_entry, [&](SlopeMap& map, double value) {
+    return parse_map<SlopeMap>(reader, "slope_map", no_entry, MapValues::places, [&](SlopeMap& map, double value) {
         const Vec2 height_and_slope = reader.parse_vector2();
         map.push_back({value, height_and_slope.x, height_and_slope.y});
     });

@@ -66,7 +66,7 @@ bool accept_map(Reader& reader, Normal& normal) {
     const Token next = reader.peek();
     if (reader.accept(Word::normal_map)) {
         if (has_cells(normal.pattern.pattern.kind)) reader.fail(next.span, "Cannot use normal_map with this pattern type.");
-        normal.map = parse_normal_map(reader);
+        normal.map = parse_normal_map(reader, map_values(normal.pattern.pattern.kind));
     } else if (reader.accept(Word::slope_map)) {
         normal.bump.slopes = *parse_slope_map(reader);
     } else {

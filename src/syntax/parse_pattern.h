@@ -19,11 +19,15 @@ bool accept_turbulence_item(Reader& reader, std::optional<Turbulence>& turbulenc
 
 bool takes_map(PatternKind kind);  ///< all but those with cells
 
-/// color_map { }, pigment_map { }, normal_map { }, texture_map { }, slope_map { } after the word.
+/// What the numbers of a map's entries are.
+enum class MapValues : std::uint8_t { places, weights };
+inline MapValues map_values(PatternKind kind) { return kind == PatternKind::average ? MapValues::weights : MapValues::places; }
+
+/// color_map { }, pigment_map { }, normal_map { }, texture_map { }, slope_map { } after the word. Weights may be left out.
 Shared<ColorMap> parse_color_map(Reader& reader);
-Shared<PigmentMap> parse_pigment_map(Reader& reader);
-Shared<NormalMap> parse_normal_map(Reader& reader);
-Shared<TextureMap> parse_texture_map(Reader& reader);
+Shared<PigmentMap> parse_pigment_map(Reader& reader, MapValues values);
+Shared<NormalMap> parse_normal_map(Reader& reader, MapValues values);
+Shared<TextureMap> parse_texture_map(Reader& reader, MapValues values);
 Shared<SlopeMap> parse_slope_map(Reader& reader);
 
 /// What stands between the braces of pigment { } and normal { }, and in the entries of their maps.

@@ -98,7 +98,7 @@ bool accept_map(Reader& reader, Pigment& pigment) {
     if (colors)
         pattern->edit().map = parse_color_map(reader);
     else
-        pattern->edit().map = parse_pigment_map(reader);
+        pattern->edit().map = parse_pigment_map(reader, map_values(kind));
     limit_size(reader, next.span, tree_size(pigment));
     return true;
 }

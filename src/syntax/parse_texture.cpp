@@ -39,7 +39,7 @@ bool parse_pattern_texture(Reader& reader, std::optional<TextureLayers>& layers)
         const Token next = reader.peek();
         if (reader.accept(Word::texture_map)) {
             if (has_cells(kind)) reader.fail(next.span, "Cannot use texture_map with this pattern type.");
-            texture.map = parse_texture_map(reader);
+            texture.map = parse_texture_map(reader, map_values(kind));
             has_map = true;
         } else if (!accept_pattern_modifier(reader, texture.pattern, PatternUse::texture)) {
             break;

@@ -133,6 +133,14 @@ TEST_F(Requires, TheSameAsJson) {
 )");
 }
 
+TEST_F(Requires, ReadsThePicturesOfAScene) {
+    ASSERT_EQ(run({"set/whole.pov", "--size=4x3", "-o", "set/picture.png"}).status, 0);
+    here.write("set/laid.pov", head + "plane { z, 1 pigment { image_map { png \"picture.png\" } } }\n");
+    const Outcome outcome = run({"requires", "set/laid.pov"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("features:  image_map\n"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Requires, ASceneThatTakesTooLongIsListedAndTheOthersGoOn) {
     here.write("slow.pov", head + "#while (1) #declare a = sin(1); #end\n");
     const Outcome outcome = run({"requires", "slow.pov", "set/whole.pov", "--timeout", "0.3"});

@@ -46,6 +46,17 @@ TEST(PatternBlock, MapsThatDoNotFitAreRefused) {
     EXPECT_EQ(error_in_normal("bozo color_map { [0 rgb 1] }"), "Keyword 'color_map' can only be used in a pigment statement.");
 }
 
+TEST(PatternBlock, WeightsOfAverageMayBeLeftOut) {
+    const PatternPigment p = pigment("average pigment_map { [checker] [3 rgb 1] [, bozo] }");
+    EXPECT_THAT((*std::get<Shared<PigmentMap>>(p.map)).values, ElementsAre(1.0, 3.0, 1.0));
+    EXPECT_THAT((*normal("average normal_map { [bumps 2] [0.5, dents 2] }").map)->values, ElementsAre(1.0, 0.5));
+    const Object o = only("sphere { 0, 1 texture { average texture_map { [pigment { rgb 1 }] [2 pigment { rgb 0 }] } } }");
+    EXPECT_THAT((*pattern_of((*o.texture)->at(0)).map).values, ElementsAre(1.0, 2.0));
+    EXPECT_EQ(error_in_pigment("average pigment_map { [rgb 1] }"), "Expected 'numeric expression', color keyword 'rgb' found instead");
+    EXPECT_EQ(error_in_pigment("wood pigment_map { [checker] }"), "Expected 'numeric expression', checker found instead");
+    EXPECT_EQ(parse_block("#declare M = pigment_map { [checker] }").error, "Expected 'numeric expression', checker found instead");
+}
+
 TEST(PatternBlock, ADeclaredPatternTakesAnotherMap) {
     const Object o = only(
         "#declare M = color_map { [0 rgb 0.25] } #declare P = pigment { wood turbulence 0.5 scale 2 color_map { [0 rgb 1] } } "
