@@ -13,6 +13,7 @@
 #include "core/transform.h"
 #include "geometry/shape.h"
 #include "scene/atmosphere.h"
+#include "scene/camera.h"
 #include "scene/set.h"
 #include "scene/texture.h"
 
@@ -53,22 +54,6 @@ struct Object {
 };
 
 /// Vectors as stated; `direction`, `right` and `up` are not yet combined with `angle` and `look_at` (that depends on the profile).
-struct Camera {
-    enum class Type { perspective, orthographic };
-    Type type = Type::perspective;
-    Vec3 location{0.0};
-    Vec3 direction{0.0, 0.0, 1.0};
-    Vec3 up{0.0, 1.0, 0.0};
-    Vec3 right{1.33, 0.0, 0.0};
-    Vec3 sky{0.0, 1.0, 0.0};
-    std::optional<Vec3> look_at;
-    std::optional<double> angle;  ///< degrees; 0 where an orthographic camera says `angle` without a number
-    bool up_or_right_stated = false;
-    Transform transform;  ///< applied after everything else
-    Span span;
-    bool operator==(const Camera&) const = default;
-};
-
 /// A grid of n1 x n2 shadow samples spanned by two axes around the light's location.
 struct AreaLight {
     Vec3 axis1{0.0}, axis2{0.0};

@@ -32,15 +32,20 @@ bool is_type(Word w) {
 Word parse_type(Reader& reader, Camera& camera) {
     Token type;
     type.word = Word::perspective;
+    std::string name(text(type.word));
     while (reader.peek().kind == Token::Kind::word && is_type(reader.peek().word)) {
         type = reader.take();
-        if (type.word == Word::cylinder) reader.parse_float();
+        name = text(type.word);
+        if (type.word == Word::cylinder) {
+            const int n = parse_int(reader);
+            if (n < 1 || n > 4) reader.fail(reader.last_place(), "Invalid cylinder camera type, valid are types 1 to 4.");
+            name += fmt::format(" {}", n);
+        }
         if (type.word == Word::mesh_camera) skip_inner_block(reader);
     }
-    if (type.word == Word::orthographic)
-        camera.type = Camera::Type::orthographic;
-    else if (type.word != Word::perspective)
-        reader.unmodelled(type.span, fmt::format("{} camera", text(type.word)));
+    const std::optional<Projection> projection = find_name(projection_names, name);
+    if (!projection) reader.unmodelled(type.span, fmt::format("{} camera", name));
+    camera.projection = projection.value_or(Projection::perspective);
     return type.word;
 }
 
@@ -48,7 +53,9 @@ void parse_angle(Reader& reader, Camera& camera, Word type) {
     const bool optional = type == Word::orthographic && !reader.at_expression();
     camera.angle = optional ? 0.0 : reader.parse_float();
     if (*camera.angle < 0.0) reader.fail(reader.peek().span, "Negative viewing angle.");
-    if (type == Word::spherical && reader.at_expression()) reader.parse_float();
+    if (type != Word::spherical) return;
+    reader.accept_comma();
+    if (reader.at_expression()) camera.vertical_angle = reader.parse_float();
 }
 
 bool accept_vector_item(Reader& reader, Camera& camera) {

@@ -29,6 +29,7 @@ Footprints::Footprints(const World& world, const DistanceRules& rules, const Sam
       across_(cross(world.camera.right, world.camera.up)) {}
 
 const Footprint* Footprints::around(const Ray& ray, const Hit& hit, const SurfacePoint& at, std::span<const ActiveLayer> layers) {
+    if (world_.camera.projection > Projection::orthographic) return nullptr;  // no formula says where its next sample is seen
     if (!std::any_of(layers.begin(), layers.end(), has_lobe)) return nullptr;
     last_ = {beside(ray, right_, hit, at), beside(ray, up_, hit, at)};
     return &last_;
@@ -39,7 +40,7 @@ Footprint::Beside Footprints::beside(const Ray& ray, const Vec3& to_next, const 
     const bool interpolated = std::fabs(dot(at.side, at.normal)) < 1.0 - 1e-12;
     for (const double samples : {step, -step}) {
         Ray other = ray;
-        if (camera.orthographic) {
+        if (camera.projection == Projection::orthographic) {
             other.origin += samples * to_next;
         } else {
             const double scale = dot(camera.direction, across_) / dot(ray.direction, across_);

@@ -4,6 +4,7 @@
 
 #include "shading/optics.h"
 #include "shading/povray_finish.h"
+#include "trace/camera.h"
 #include "trace/environment.h"
 #include "trace/grain.h"
 
@@ -95,7 +96,13 @@ void Recursion::camera_rays(std::span<const Ray> rays, std::span<Radiance> light
 void Recursion::start(const Ray& ray, const FirstHit* first, Radiance& result) {
     ++counts.camera;
     const Path path{.ray = ray};
-    if (first != nullptr && first->hit == nullptr && path.weight >= adc_bailout_ && !world_.features.atmosphere) {
+    const bool unhit = first != nullptr && first->hit == nullptr;
+    if ((unhit || first == nullptr) && is_no_ray(ray)) {
+        result = {Rgb(0.0), 1.0};
+        start_node(RayNode::none, RayNode::Kind::camera, path, Rgb(1.0), 1.0);
+        return;
+    }
+    if (unhit && path.weight >= adc_bailout_ && !world_.features.atmosphere) {
         // Most pixels of many pictures: nothing to prepare, nothing to follow.
         result = {};
         leave_scene(path, result, nullptr);
@@ -301,7 +308,7 @@ bool Recursion::pass(const Surface& surface, Path& path, Radiance& result, std::
     const CompiledInterior& medium = world_.interiors[surface.crossing.interior];
     Rgb factor(medium.refraction);
     if (surface.crossing.leaves()) factor *= distance_fade(surface.at.t, medium.fade_distance, medium.fade_power, medium.fade_color);
-    path.weight *= max_component(surface.filter);
+    path.weight *= max_component(glm::abs(surface.filter));
     if (bent.total) {
         ++counts.reflected;
         path.kind = RayKind::reflected;

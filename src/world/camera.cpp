@@ -12,6 +12,16 @@ constexpr double parallel_tolerance = 1e-10;
     throw SceneError(sources.describe(camera.span, "Parse Error", text));
 }
 
+bool is_flat(Projection projection) { return projection == Projection::perspective || projection == Projection::orthographic; }
+
+/// A full turn and half of one for the whole sphere, else 90 degrees; the second angle of a sphere is half of the first.
+void apply_wide_angle(const Camera& camera, CameraBasis& basis) {
+    const bool sphere = camera.projection == Projection::spherical;
+    const double degrees = camera.angle.value_or(sphere ? 360.0 : 90.0);
+    basis.angle = radians(degrees);
+    basis.vertical_angle = radians(camera.vertical_angle.value_or(0.5 * degrees));
+}
+
 void apply_angle(const Camera& camera, const Sources& sources, CameraBasis& basis) {
     const double degrees = camera.angle.value_or(0.0);
     if (degrees < 0.0) fail(camera, sources, "Negative viewing angle.");
@@ -56,13 +66,16 @@ void size_orthographic(const Camera& camera, const Vec3& look_at, CameraBasis& b
 }
 
 CameraBasis povray_basis(const Camera& camera, const Sources& sources, const MessageSink& warn) {
-    CameraBasis basis{camera.type == Camera::Type::orthographic, camera.location, camera.direction, camera.right, camera.up};
-    apply_angle(camera, sources, basis);
+    CameraBasis basis{camera.projection, camera.location, camera.direction, camera.right, camera.up};
+    if (is_flat(camera.projection))
+        apply_angle(camera, sources, basis);
+    else
+        apply_wide_angle(camera, basis);
     if (camera.look_at) {
         if (*camera.look_at == camera.location) fail(camera, sources, "Camera location and look_at point must be different.");
         apply_look_at(camera, *camera.look_at, sources, warn, basis);
     }
-    if (basis.orthographic) size_orthographic(camera, camera.look_at.value_or(Vec3(0.0, 0.0, 1.0)), basis);
+    if (basis.projection == Projection::orthographic) size_orthographic(camera, camera.look_at.value_or(Vec3(0.0, 0.0, 1.0)), basis);
     warn_if_skewed(camera, sources, warn, basis);
     basis.origin = camera.transform.point(basis.origin);
     basis.direction = camera.transform.direction(basis.direction);
@@ -75,7 +88,7 @@ CameraBasis povray_basis(const Camera& camera, const Sources& sources, const Mes
 CameraBasis course_basis(const Camera& camera, const Sources& sources) {
     const Vec3 look_at = camera.look_at.value_or(camera.location + camera.direction);
     if (look_at == camera.location) fail(camera, sources, "Camera location and look_at point must be different.");
-    return {false, camera.location, unit(look_at - camera.location), camera.right, camera.up};
+    return {Projection::perspective, camera.location, unit(look_at - camera.location), camera.right, camera.up};
 }
 
 }  // namespace

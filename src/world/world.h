@@ -42,10 +42,11 @@ struct CompiledObject {
 };
 
 /// Pixel (u, v) in [-1/2, 1/2]^2, v upwards. Perspective: from origin along direction + u right + v up.
-/// Orthographic: from origin + u right + v up along direction.
+/// Orthographic: from origin + u right + v up along direction. Others: trace/camera.h.
 struct CameraBasis {
-    bool orthographic = false;
+    Projection projection = Projection::perspective;
     Vec3 origin{0.0}, direction{0.0, 0.0, 1.0}, right{1.33, 0.0, 0.0}, up{0.0, 1.0, 0.0};
+    double angle = 0.0, vertical_angle = 0.0;  ///< radians, of the projections that take some
 };
 
 /// What the scene requires of the tracer; computed once, and nothing after it pays for what is false.

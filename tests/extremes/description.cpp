@@ -80,7 +80,7 @@ Description describe(const std::string& path) {
     const Scene scene = parse_file(path, {}, [](std::string_view) {});
     Description description;
     description.camera = scene.camera;
-    require(scene.camera.type == Camera::Type::perspective && !scene.camera.angle, path, "orthographic camera and camera angle");
+    require(scene.camera.projection == Projection::perspective && !scene.camera.angle, path, "orthographic camera and camera angle");
     require(scene.settings.gamma.kind == Gamma::Kind::power && scene.settings.gamma.power == 1.0, path, "assumed_gamma but 1");
     description.background = scene.background.rgb;
     description.max_trace_level = scene.settings.max_trace_level;

@@ -46,13 +46,28 @@ TEST(CameraBlock, UpAloneAndRightAloneCountAsStated) {
 
 TEST(CameraBlock, FloatsPromoteToVectors) { EXPECT_EQ(camera("location -5 look_at 0").location, Vec3(-5.0)); }
 
+TEST(CameraBlock, CylindersAndSpheres) {
+    for (const auto& [name, projection] : projection_names) EXPECT_EQ(camera(std::string(name)).projection, projection) << name;
+    EXPECT_EQ(camera("cylinder 1.7").projection, Projection::cylinder_1);
+    for (const char* number : {"0", "5", "-1"})
+        EXPECT_EQ(with_camera(std::string("cylinder ") + number).error, "Invalid cylinder camera type, valid are types 1 to 4.") << number;
+    const Camera both = camera("spherical angle 200 80"), comma = camera("spherical angle 200, 80"), one = camera("spherical angle 200");
+    EXPECT_EQ(both.angle, 200.0);
+    EXPECT_EQ(both.vertical_angle, 80.0);
+    EXPECT_EQ(comma.vertical_angle, 80.0);
+    EXPECT_FALSE(one.vertical_angle);
+    EXPECT_EQ(with_camera("fisheye angle 200 80").error, "No matching } in 'camera', float function 'float constant' found instead");
+    EXPECT_EQ(with_camera("fisheye angle -1").error, "Negative viewing angle.");
+}
+
 TEST(CameraBlock, TypesComeFirst) {
-    EXPECT_EQ(camera("perspective angle 30").type, Camera::Type::perspective);
-    EXPECT_EQ(camera("orthographic up y").type, Camera::Type::orthographic);
-    EXPECT_EQ(camera("perspective orthographic").type, Camera::Type::orthographic);
-    EXPECT_EQ(camera("orthographic orthographic perspective angle 30").type, Camera::Type::perspective);
+    EXPECT_EQ(camera("perspective angle 30").projection, Projection::perspective);
+    EXPECT_EQ(camera("orthographic up y").projection, Projection::orthographic);
+    EXPECT_EQ(camera("perspective orthographic").projection, Projection::orthographic);
+    EXPECT_EQ(camera("orthographic orthographic perspective angle 30").projection, Projection::perspective);
     EXPECT_EQ(with_camera("fisheye cylinder 1 perspective location x").error, "");
-    EXPECT_EQ(with_camera("perspective fisheye").error, "'fisheye camera' is not modelled.");
+    EXPECT_EQ(camera("perspective fisheye angle 400").projection, Projection::fisheye);
+    EXPECT_EQ(with_camera("omnimax").error, "'omnimax camera' is not modelled.");
     EXPECT_EQ(with_camera("angle 40 perspective").error, "No matching } in 'camera', perspective found instead");
     EXPECT_EQ(with_camera("right x orthographic").error, "Expected 'perspective camera modifier', orthographic found instead");
     EXPECT_EQ(with_camera("orthographic angle 3 perspective").error, "Expected 'orthographic camera modifier', perspective found instead");

@@ -17,7 +17,7 @@ const Rgb red{1.0, 0.0, 0.0};
 /// An orthographic view along z of [-4, 4]^2: a pixel is 1/12 wide.
 Scene flat_view(std::vector<Object> objects) {
     Scene scene = scene_with(std::move(objects), {point_light({3, 5, -9})}, Rgb(0.2));
-    scene.camera.type = Camera::Type::orthographic;
+    scene.camera.projection = Projection::orthographic;
     scene.camera.location = {0, 0, -10};
     scene.camera.right = {8, 0, 0}, scene.camera.up = {0, 8, 0};
     scene.camera.up_or_right_stated = true;

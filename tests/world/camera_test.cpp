@@ -30,7 +30,7 @@ TEST(Camera, WithoutAnyStatement) {
     expect_near(basis.direction, {0, 0, 1});
     expect_near(basis.right, {1.33, 0, 0});
     expect_near(basis.up, {0, 1, 0});
-    EXPECT_FALSE(basis.orthographic);
+    EXPECT_EQ(basis.projection, Projection::perspective);
     EXPECT_TRUE(warnings.empty());
 }
 
@@ -103,12 +103,12 @@ TEST(Camera, TransformsComeLast) {
 
 TEST(Camera, OrthographicIsSizedByTheDistanceUnlessStated) {
     Camera camera;
-    camera.type = Camera::Type::orthographic;
+    camera.projection = Projection::orthographic;
     camera.location = {0, 0, -5};
     camera.look_at = Vec3(0, 0, 0);
     camera.direction = {0, 0, 2};
     CameraBasis basis = basis_of(camera).basis;
-    EXPECT_TRUE(basis.orthographic);
+    EXPECT_EQ(basis.projection, Projection::orthographic);
     expect_near(basis.right, {1.33 * 2.5, 0, 0});
     expect_near(basis.up, {0, 2.5, 0});
 

@@ -76,7 +76,8 @@ void read_as_course(ParseOptions& options) {
 }
 
 void check_course_scene(const Scene& scene, const MessageSink& warn) {
-    if (scene.camera.type != Camera::Type::perspective) fail(scene, scene.camera.span, "An orthographic camera");
+    if (scene.camera.projection != Projection::perspective)
+        fail(scene, scene.camera.span, fmt::format("A camera of the type '{}'", name_of(projection_names, scene.camera.projection)));
     for (const Light& light : scene.lights) check_light(scene, light);
     if (scene.sky_sphere) fail(scene, {}, "'sky_sphere'");
     if (!scene.fogs.empty()) fail(scene, {}, "'fog'");

@@ -141,7 +141,7 @@ Requirements requirements_of(const Scene& scene) {
         if (light.fade_power > 0.0 && light.fade_distance > 0.0) features.insert("light fading");
     }
     needs.features.assign(features.begin(), features.end());
-    needs.camera = scene.camera.type == Camera::Type::orthographic ? "orthographic" : "perspective";
+    needs.camera = name_of(projection_names, scene.camera.projection);
     needs.gamma = gamma_text(scene.settings.gamma);
     needs.language_version = scene.language_version;
     for (std::uint32_t i = 1; i < scene.sources.size(); ++i) needs.includes.push_back(scene.sources.file(i).name);

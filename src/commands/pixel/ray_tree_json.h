@@ -24,8 +24,8 @@ struct TracedPixel {
 /// One JSON object, one ray a line:
 ///     format       "raytrace ray tree 1"
 ///     scene, width, height, profile, shading
-///     camera       orthographic, location, direction, right, up; a pixel's ray goes along direction + u right + v up, u and v in
-///                  -1/2..1/2 (orthographic: along direction, from location + u right + v up)
+///     camera       projection, location, direction, right, up; a pixel's ray goes along direction + u right + v up, u and v in
+///                  -1/2..1/2 (orthographic: along direction, from location + u right + v up; others: trace/camera.h)
 ///     pixel        x, y from 0; origin "top left" or "bottom left"; radiance (linear), color (bytes of the picture)
 ///     samples      for each camera ray the list of its rays, parents before children, mirrors before what lies behind
 /// and of each ray

@@ -18,7 +18,7 @@ Json json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)};
 Json json_of(const Ray& ray) { return {{"origin", json_of(ray.origin)}, {"direction", json_of(ray.direction)}}; }
 
 Json json_of(const CameraBasis& camera) {
-    return {{"orthographic", camera.orthographic},
+    return {{"projection", name_of(projection_names, camera.projection)},
             {"location", json_of(camera.origin)},
             {"direction", json_of(camera.direction)},
             {"right", json_of(camera.right)},

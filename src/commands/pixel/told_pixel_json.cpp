@@ -99,7 +99,7 @@ ToldPixel told_pixel(const JsonValue& value) {
     const JsonValue color = pixel["color"];
     if (color.size() != 3) color.fail("a list of three bytes");
     for (std::size_t c = 0; c < 3; ++c) told.color[c] = static_cast<int>(color.item(c).count());
-    if (value.has("camera") && !value["camera"]["orthographic"].truth()) {
+    if (value.has("camera") && value["camera"]["projection"].word() == "perspective") {
         const JsonValue camera = value["camera"];
         told.camera = {camera["direction"].vector(), camera["right"].vector(), camera["up"].vector(),
                        static_cast<int>(value["width"].count()), static_cast<int>(value["height"].count())};

@@ -90,8 +90,10 @@ void scale(Camera& camera, double factor) {
     camera.location *= factor;
     if (camera.look_at) *camera.look_at *= factor;
     camera.transform = between_scaled(camera.transform, factor);
-    // Of a perspective camera these say angles.
-    if (camera.type == Camera::Type::orthographic) camera.direction *= factor, camera.right *= factor, camera.up *= factor;
+    // Of the other cameras these say angles.
+    if (camera.projection == Projection::orthographic) camera.direction *= factor, camera.right *= factor, camera.up *= factor;
+    if (camera.projection == Projection::cylinder_3) camera.up *= factor;
+    if (camera.projection == Projection::cylinder_4) camera.right *= factor;
 }
 
 }  // namespace

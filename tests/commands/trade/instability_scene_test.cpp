@@ -106,20 +106,20 @@ TEST(ScaledScene, CamerasSeeTheSame) {
     Camera& camera = scene.camera;
     camera.location = {1, 2, -8}, camera.look_at = Vec3(0, 1, 0), camera.angle = 50.0;
     camera.transform = Transform::rotate({0, 10, 0}, Rotation::povray).then(Transform::translate({1, 0, 0}));
-    for (const Camera::Type type : {Camera::Type::perspective, Camera::Type::orthographic}) {
+    for (const Projection type : {Projection::perspective, Projection::orthographic}) {
         for (const bool stated : {false, true}) {
-            camera.type = type, camera.up_or_right_stated = stated;
+            camera.projection = type, camera.up_or_right_stated = stated;
             const auto silent = [](std::string_view) {};
             const CameraBasis a = camera_basis(camera, Profile::povray, {}, silent);
             const CameraBasis b = camera_basis(scaled(scene, by).camera, Profile::povray, {}, silent);
-            const double across = type == Camera::Type::orthographic ? by : 1.0;
+            const double across = type == Projection::orthographic ? by : 1.0;
             EXPECT_LT(length(b.origin - by * a.origin), 1e-13);
             EXPECT_LT(length(unit(b.direction) - unit(a.direction)), 1e-14);
             EXPECT_LT(length(b.right - across * a.right), 1e-13);
             EXPECT_LT(length(b.up - across * a.up), 1e-13);
         }
     }
-    camera.type = Camera::Type::perspective;
+    camera.projection = Projection::perspective;
     const auto silent = [](std::string_view) {};
     const CameraBasis a = camera_basis(camera, Profile::csc473, {}, silent);
     const CameraBasis b = camera_basis(scaled(scene, by).camera, Profile::csc473, {}, silent);

@@ -88,7 +88,7 @@ double Solids::extent() const {
 
 Solids read_solids(const std::string& path) {
     const Scene scene = parse_file(path, {}, [](std::string_view) {});
-    require(scene.camera.type == Camera::Type::perspective && !scene.camera.angle, path, "orthographic camera and camera angle");
+    require(scene.camera.projection == Projection::perspective && !scene.camera.angle, path, "orthographic camera and camera angle");
     require(scene.settings.gamma.kind == Gamma::Kind::power && scene.settings.gamma.power == 1.0, path, "assumed_gamma but 1");
     require(scene.settings.adc_bailout == 0.0 && scene.options.empty(), path, "adc_bailout but 0, choices of shading");
     Solids result;
