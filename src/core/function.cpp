@@ -166,6 +166,8 @@ public:
                 i = step.index - 1;
             } else if (step.op == Op::call) {
                 if (!call(*function_.called[step.index])) return false;
+            } else if (step.op == Op::source) {
+                ask(step);
             } else {
                 simple(step);
             }
@@ -205,6 +207,11 @@ private:
         stack_.resize(first);
         stack_.push_back(value.value_or(0.0));
         return value.has_value();
+    }
+
+    void ask(const Function::Step& step) {
+        const double z = pop(), y = pop(), x = pop();
+        stack_.push_back(function_.sources[step.index]->values({x, y, z})[step.count]);
     }
 
     bool loop(const Function::Step& step, std::size_t at) {

@@ -1,13 +1,24 @@
 // A function of floats that a scene declares: its expression as steps of a stack machine.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/vec.h"
+
 namespace rt {
+
+/// What functions ask that is no arithmetic: a pigment's colour or a pattern's value at a point.
+class FunctionSource {
+public:
+    virtual ~FunctionSource() = default;
+    /// Red, green, blue, filter, transmit and grey; of a pattern its value comes first.
+    virtual std::array<double, 6> values(const Vec3& point) const = 0;
+};
 
 struct Function {
     enum class Op : std::uint8_t {
@@ -17,6 +28,7 @@ struct Function {
         sum,       ///< over the steps up to `index`, for counters between two bounds, both included; `count` is the counter's place
         product,   ///< likewise
         built_in,  ///< one that POV-Ray has by its number `index`; all arguments
+        source,    ///< takes x, y and z; pushes value `count` of `sources[index]`
         // of two operands
         add,
         subtract,
@@ -77,6 +89,9 @@ struct Function {
     std::size_t stack = 0;     ///< the most values that its steps hold at once
     std::size_t depth = 1;     ///< of functions that call functions
     std::vector<std::shared_ptr<const Function>> called;
+    std::vector<std::shared_ptr<const FunctionSource>> sources;
+    /// Of the pigments and patterns that it asks, those that they and functions that it calls ask included: as TreeSize has them.
+    std::size_t source_nodes = 0, source_depth = 0;
 };
 
 /// The value at `arguments`, as many as there are parameters. Domain errors make infinities and NaN. Each step is taken off `steps_left`;

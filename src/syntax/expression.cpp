@@ -46,7 +46,8 @@ bool holds(char relation, double a, double b) {
 
 Number number(double x) { return {{x}, 1, false}; }
 
-/// Index of a component's name; -1 for the grey value, empty if it is none.
+}  // namespace
+
 std::optional<int> component_index(Word w) {
     switch (w) {
         case Word::x:
@@ -71,8 +72,6 @@ std::optional<int> component_index(Word w) {
             return std::nullopt;
     }
 }
-
-}  // namespace
 
 bool is_true(double x) { return !(std::fabs(x) < epsilon); }
 

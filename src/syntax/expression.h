@@ -8,6 +8,9 @@ namespace rt {
 /// Where POV-Ray asks whether something holds: magnitudes below 1e-10 are false.
 bool is_true(double x);
 
+/// Index of a component's name; -1 for the grey value, empty if it is none.
+std::optional<int> component_index(Word w);
+
 /// Does a string expression come next?
 bool at_string(Reader& reader);
 /// The characters of a string literal with its escapes resolved.

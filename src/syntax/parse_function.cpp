@@ -6,6 +6,8 @@
 #include "core/function.h"
 #include "syntax/blocks.h"
 #include "syntax/expression.h"
+#include "syntax/function_source.h"
+#include "syntax/texture_layers.h"
 
 namespace rt {
 
@@ -134,6 +136,10 @@ private:
                 reader_.fail(reader_.last_place(), "Expected 'operand', vector function 'vector identifier' found instead");
             constant(declared->v[0]);
         } else if (const FunctionValue* value = reader_.accept_declared<FunctionValue>()) {
+            if (const auto* const pigment = std::get_if<PigmentFunction>(value)) {
+                color_component(PigmentFunction(*pigment));
+                return;
+            }
             const auto* const program = std::get_if<std::shared_ptr<const Function>>(value);
             if (!program) reader_.fail(reader_.last_place(), "A function of floats cannot call one whose values are vectors.");
             call(std::shared_ptr<const Function>(*program));
@@ -154,6 +160,34 @@ private:
         push({.op = Op::call, .index = static_cast<std::uint32_t>(function_.called.size())});
         held_ -= called->parameters;
         function_.called.push_back(called);
+        add_sources(called->source_nodes, called->source_depth);
+    }
+
+    /// `(x, y, z).red`: one number of a pigment's colour.
+    void color_component(const PigmentFunction& pigment) {
+        arguments(3);
+        reader_.expect('.');
+        const Token& member = reader_.peek();
+        std::optional<int> index = member.text == "grey" ? std::optional(-1) : std::nullopt;
+        if (member.kind == Token::Kind::word) index = component_index(member.word);
+        if (!index) reader_.fail_expected("x, y, z or color component");
+        reader_.take();
+        constexpr std::uint32_t grey = 5;
+        ask(pigment, *index < 0 ? grey : static_cast<std::uint32_t>(*index));
+    }
+
+    /// Value `count` of a source at the point that is on the stack.
+    void ask(const PigmentFunction& asked, std::uint32_t count) {
+        push({.op = Op::source, .count = count, .index = static_cast<std::uint32_t>(function_.sources.size())});
+        held_ -= 3;
+        function_.sources.push_back(asked.source);
+        add_sources(asked.nodes, asked.depth);
+    }
+
+    void add_sources(std::size_t nodes, std::size_t depth) {
+        function_.source_nodes += nodes;
+        function_.source_depth = std::max(function_.source_depth, depth);
+        limit_size(reader_, reader_.last_place(), {function_.source_nodes, function_.source_depth});
     }
 
     /// `(a, b, ...)`: as many as that.
@@ -306,14 +340,15 @@ std::shared_ptr<const Function> Reader::parse_pattern_function() {
 
 /// What follows the word `function`.
 Value Reader::State::parse_function(const Span& place) {
+    const bool parameters_follow = raw_next_is('(');
     const std::vector<std::string_view> parameters = parse_parameters();
     reader.begin_block("function");
     const Token next = reader.peek();
     Value value = UnmodelledValue{Word::function};
     if (next.is(Word::pattern) || next.is(Word::pigment)) {
-        reader.unmodelled(place, fmt::format("function {{ {} }}", text(next.word)));
+        if (parameters_follow) reader.fail(place, "Function parameters for pigment functions are not allowed.");
         reader.take();
-        reader.skip_block();
+        value = function_of_source(reader, next.word);
     } else if (next.is(Word::internal)) {
         value = parse_built_in(place);
     } else if (const std::optional<Transform> transform = accept_transform(reader)) {

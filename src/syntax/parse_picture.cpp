@@ -109,7 +109,11 @@ StatedPicture parse_picture(Reader& reader, std::string_view word) {
 
 Shared<ImageMap> parse_image_map(Reader& reader) {
     const StatedPicture picture = parse_picture(reader, "image_map");
-    return ImageMap{colors_of(picture, reader.scene().settings.gamma), picture.mapping, picture.filter, picture.transmit};
+    // Before 3.7 whole numbers of a file that says nothing of its gamma are colours of the working space as they are.
+    const bool says_gamma = picture.gamma || picture.file.gamma || picture.file.max_value == 0;
+    const bool as_it_is = reader.scene().language_version < 3.7 && !says_gamma;
+    const Gamma working = as_it_is ? Gamma{.kind = Gamma::Kind::legacy} : reader.scene().settings.gamma;
+    return ImageMap{colors_of(picture, working), picture.mapping, picture.filter, picture.transmit};
 }
 
 ImageNumbers parse_value_image(Reader& reader, float* size) {

@@ -79,6 +79,10 @@ Number Expression::call() {
         const double x = sum_float(), y = next_float(), z = next_float();
         const Vec3 moved = transform->point({x, y, z});
         result = {{moved.x, moved.y, moved.z}, 3, false};
+    } else if (std::holds_alternative<PigmentFunction>(value)) {
+        reader_.unmodelled(place, "a pigment's colour while the scene is read");
+        skip_arguments();
+        return {{}, 5, false};
     } else {
         result = function_value(*std::get<std::shared_ptr<const Function>>(value), place);
     }
@@ -87,6 +91,7 @@ Number Expression::call() {
 }
 
 Number Expression::function_value(const Function& function, const Span& place) {
+    if (function.source_nodes > 0) reader_.unmodelled(place, "a pattern's value while the scene is read");
     std::vector<double> arguments;
     while (arguments.size() < function.parameters) arguments.push_back(arguments.empty() ? sum_float() : next_float());
     const std::uint64_t limit = state_.options.max_replayed_bytes;

@@ -62,11 +62,32 @@ void set_uv_mapping(Reader& reader, TextureLayers& layers) {
     }
 }
 
-/// tiles, material_map or a pattern that is not modelled: reported and skipped; true if one comes next.
+/// `tiles { texture { } tile2 texture { } }`, if it comes next: a checker whose first cells are those of tile2. Each of both may be several
+/// layers.
+bool parse_tiles(Reader& reader, std::optional<TextureLayers>& layers) {
+    if (!reader.accept(Word::tiles)) return false;
+    const Span place = reader.last_place();
+    reader.begin_block("tiles");
+    std::optional<TextureLayers> first, second;
+    while (reader.accept(Word::texture)) parse_texture(reader, first);
+    if (!reader.accept(Word::tile2)) reader.fail_expected("tile2");
+    while (reader.accept(Word::texture)) parse_texture(reader, second);
+    reader.end_block();
+    PatternTexture texture;
+    texture.pattern.pattern = make_pattern(PatternKind::checker);
+    texture.map = TextureMap{{0.0, 1.0}, {layers_or_default(reader, second), layers_or_default(reader, first)}};
+    while (accept_pattern_modifier(reader, texture.pattern, PatternUse::texture)) {
+    }
+    layers = std::vector<Texture>{Texture{Shared<PatternTexture>(std::move(texture))}};
+    limit_size(reader, place, tree_size(**layers));
+    return true;
+}
+
+/// material_map or a pattern that is not modelled: reported and skipped; true if one comes next.
 bool skip_unmodelled_texture(Reader& reader) {
     const Token next = reader.peek();
     if (next.kind != Token::Kind::word) return false;
-    if (next.word != Word::tiles && next.word != Word::material_map && !is_unmodelled_pattern(next.word)) return false;
+    if (next.word != Word::material_map && !is_unmodelled_pattern(next.word)) return false;
     reader.unmodelled(next.span, text(next.word));
     reader.take();
     skip_to_block_end(reader);
@@ -110,7 +131,7 @@ void parse_texture_body(Reader& reader, std::optional<TextureLayers>& own) {
     if (const TextureLayers* declared = reader.accept_declared<TextureLayers>()) own = *declared;
     if (own && is_patterned(*own)) {
         parse_transforms(reader, own);
-    } else if (own || (!skip_unmodelled_texture(reader) && !parse_pattern_texture(reader, own))) {
+    } else if (own || (!parse_tiles(reader, own) && !skip_unmodelled_texture(reader) && !parse_pattern_texture(reader, own))) {
         parse_plain_parts(reader, own);
     }
     if (uv) set_uv_mapping(reader, layers_or_default(reader, own));

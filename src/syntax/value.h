@@ -63,6 +63,7 @@ struct ArrayValue {
 };
 
 struct Function;
+class FunctionSource;
 struct Spline;
 struct OpenFile;
 /// A file that `#fopen` opened.
@@ -70,8 +71,14 @@ struct FileValue {
     std::shared_ptr<OpenFile> file;
 };
 
-/// function { } of floats or of a transform; spline { }, which is called like one.
-using FunctionValue = std::variant<std::shared_ptr<const Function>, Transform, std::shared_ptr<const Spline>>;
+/// function { pigment { } }: a function of a point whose value is a colour.
+struct PigmentFunction {
+    std::shared_ptr<const FunctionSource> source;
+    std::size_t nodes = 0, depth = 0;  ///< of the pigment
+};
+
+/// function { } of floats, of a transform or of a pigment; spline { }, which is called like one.
+using FunctionValue = std::variant<std::shared_ptr<const Function>, Transform, std::shared_ptr<const Spline>, PigmentFunction>;
 
 /// What can be declared and is not modelled: only its use says so.
 struct UnmodelledValue {

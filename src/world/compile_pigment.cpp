@@ -1,6 +1,9 @@
 #include "world/compile_pigment.h"
 
 #include <algorithm>
+#include <map>
+
+#include "scene/function_source.h"
 
 namespace rt {
 
@@ -67,6 +70,58 @@ PatternDefaults pattern_defaults(const Scene& scene) {
     return defaults;
 }
 
+namespace {
+
+/// A pigment or a pattern that answers.
+class CompiledSource final : public FunctionSource {
+public:
+    CompiledSource(const StatedSource& source, const PatternDefaults& defaults) {
+        if (const auto* pigment = std::get_if<Pigment>(&source.stated))
+            tree_ = compile_pigment(*pigment, defaults, false);
+        else
+            pattern_ = compile_pattern(std::get<StatedPattern>(source.stated), defaults, false);
+    }
+
+    std::array<double, 6> values(const Vec3& point) const override {
+        TexturePoint seen;
+        seen.point = point;
+        if (tree_.empty()) return {value_at(pattern_, enter(pattern_, point, seen), seen)};
+        const PigmentColor color = color_at(tree_, seen, false);
+        return {color.rgb.r, color.rgb.g, color.rgb.b, color.filter, color.transmit, grey(color.rgb)};
+    }
+
+private:
+    PigmentTree tree_;  ///< empty: the pattern
+    PatternNode pattern_;
+};
+
+/// Functions with compiled sources in the place of stated ones, each once however often it is called.
+class FunctionCompiler {
+public:
+    explicit FunctionCompiler(const PatternDefaults& defaults) : defaults_(defaults) {}
+
+    std::shared_ptr<const Function> compile(const std::shared_ptr<const Function>& stated) {
+        if (!stated || stated->source_nodes == 0) return stated;
+        std::shared_ptr<const Function>& known = done_[stated.get()];
+        if (known) return known;
+        Function function = *stated;
+        for (std::shared_ptr<const Function>& called : function.called) called = compile(called);
+        for (std::shared_ptr<const FunctionSource>& source : function.sources)
+            source = std::make_shared<const CompiledSource>(dynamic_cast<const StatedSource&>(*source), defaults_);
+        return known = std::make_shared<const Function>(std::move(function));
+    }
+
+private:
+    const PatternDefaults& defaults_;
+    std::map<const Function*, std::shared_ptr<const Function>> done_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Function> compile_function(const std::shared_ptr<const Function>& stated, const PatternDefaults& defaults) {
+    return FunctionCompiler(defaults).compile(stated);
+}
+
 PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& defaults, bool uv) {
     PatternNode node;
     node.pattern = stated.pattern;
@@ -74,7 +129,8 @@ PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& 
     if (!stated.own_noise) node.pattern.noise = defaults.noise;
     if (auto* waves = std::get_if<WavesNumbers>(&node.pattern.numbers); waves != nullptr && defaults.sources)
         waves->sources = *defaults.sources;
-    if (const auto* function = std::get_if<std::shared_ptr<const Function>>(&stated.source)) node.function = *function;
+    if (const auto* function = std::get_if<std::shared_ptr<const Function>>(&stated.source))
+        node.function = compile_function(*function, defaults);
     if (const auto* pigment = std::get_if<Shared<Pigment>>(&stated.source)) node.grey = compile_pigment(**pigment, defaults, false);
     return node;
 }

@@ -16,6 +16,8 @@ PatternDefaults pattern_defaults(const Scene& scene);
 /// `uv`: the surroundings say uv_mapping.
 PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& defaults, bool uv);
 PigmentTree compile_pigment(const Pigment& pigment, const PatternDefaults& defaults, bool uv);
+/// The same function; what it asks can answer then.
+std::shared_ptr<const Function> compile_function(const std::shared_ptr<const Function>& stated, const PatternDefaults& defaults);
 NormalNode compile_normal(const Normal& normal, const PatternDefaults& defaults, bool uv);
 
 bool uses_uv(const PatternNode& node);

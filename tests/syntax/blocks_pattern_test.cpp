@@ -206,5 +206,27 @@ TEST(PictureBlock, ImageMapsHoldLinearColours) {
     EXPECT_EQ(error("png \"none.png\""), "Cannot find image file.");
 }
 
+TEST(PictureBlock, BeforeVersion37NumbersOfUnknownGammaStayAsTheyAre) {
+    const auto grey = [](const std::string& version, std::optional<double> of_file, const std::string& stated) {
+        ParseOptions options;
+        options.read_picture = [&](const std::string& path) {
+            std::optional<PictureFile> picture = two_texels(path);
+            if (picture) picture->gamma = of_file;
+            return picture;
+        };
+        const Scene p =
+            parse_text({"t.pov", version + " global_settings { assumed_gamma 1 } sphere { 0, 1 pigment { image_map { png \"two.png\" " +
+                                     stated + " } } }"},
+                       options, [](std::string_view) {});
+        return std::get<Shared<ImageMap>>(pattern_of(layer(p.objects.at(0)).pigment).map)->image->texels.at(1)[0];
+    };
+    const auto decoded = static_cast<float>(std::pow((0.2 + 0.055) / 1.055, 2.4));
+    EXPECT_FLOAT_EQ(grey("#version 3.7;", {}, ""), decoded);
+    EXPECT_FLOAT_EQ(grey("#version 3.6;", {}, ""), 0.2F);
+    EXPECT_FLOAT_EQ(grey("", {}, ""), 0.2F);
+    EXPECT_FLOAT_EQ(grey("#version 3.6;", 2.0, ""), 0.04F);
+    EXPECT_FLOAT_EQ(grey("#version 3.6;", {}, "gamma 2"), 0.04F);
+}
+
 }  // namespace
 }  // namespace rt

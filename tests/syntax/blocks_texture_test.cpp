@@ -18,6 +18,23 @@ bool is_checker(const Pigment& pigment) {
 }
 std::vector<PigmentColor> colors(const Object& object) { return std::get<Shared<ColorMap>>(pattern_of(layer(object).pigment).map)->colors; }
 
+TEST(TextureBlock, TilesAreACheckerOfTile2AndTheFirst) {
+    const Object o =
+        only("sphere { 0, 1 texture { tiles { texture { pigment { rgb 0.25 } } tile2 texture { pigment { rgb 1 } } } scale 2 } }");
+    const PatternTexture& tiles = *std::get<Shared<PatternTexture>>((*o.texture)->at(0).content);
+    EXPECT_EQ(tiles.pattern.pattern.kind, PatternKind::checker);
+    EXPECT_EQ(moved(tiles.pattern.pattern, Vec3(1.0)), Vec3(2.0));
+    const auto rgb = [&](std::size_t i) {
+        return std::get<PigmentColor>(std::get<PlainTexture>(tiles.map->textures.at(i)->at(0).content).pigment.content).rgb;
+    };
+    EXPECT_EQ(rgb(0), Rgb(1.0));
+    EXPECT_EQ(rgb(1), Rgb(0.25));
+    EXPECT_EQ(parse_block("sphere { 0, 1 texture { tiles { texture { pigment { rgb 1 } } } } }").error,
+              "Expected 'tile2', } found instead");
+    EXPECT_EQ(parse_block("sphere { 0, 1 texture { tiles { pigment { rgb 1 } tile2 } } }").error,
+              "Expected 'tile2', pigment found instead");
+}
+
 TEST(PigmentBlock, CheckerTakesColours) {
     const std::vector<PigmentColor> c = colors(sphere_with("pigment { checker rgb 1, rgb 0.25 }"));
     ASSERT_EQ(c.size(), 2u);

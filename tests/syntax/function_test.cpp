@@ -75,11 +75,35 @@ TEST(DeclaredFunction, MistakesAreNamed) {
         {"#declare F=function(1){x}", "Expected 'parameter identifier', float function 'float constant' found instead"},
         {"#declare S=spline{0,1} #declare F=function(x){S(x)}", "A function of floats cannot call one whose values are vectors."},
         {"#declare F=function{internal(0)} #debug str(F(1),0,0)", "'function { internal(0) }' is not modelled."},
-        {"#declare F=function{pattern{agate}} #debug str(F(1,2,3),0,0)", "'function { pattern }' is not modelled."},
+        {"#declare F=function{pattern{agate}} #debug str(F(1,2,3),0,0)", "'a pattern's value while the scene is read' is not modelled."},
+        {"#declare F=function{pigment{rgb 1}} #debug str(F(1,2,3).x,0,0)", "'a pigment's colour while the scene is read' is not modelled."},
+        {"#declare F=function{pigment{rgb 1}} #declare G=function{F(x,y,z)}", "Expected '.', } found instead"},
+        {"#declare F=function{pigment{rgb 1}} #declare G=function{F(x,y,z).pi}",
+         "Expected 'x, y, z or color component', float function 'pi' found instead"},
+        {"#declare F=function(a,b,c){pigment{rgb 1}}", "Function parameters for pigment functions are not allowed."},
+        {"#declare F=function(a){pattern{wood}}", "Function parameters for pigment functions are not allowed."},
+        {"#declare F=function{pattern{rgb 1}}", "Expected 'pattern', color keyword 'rgb' found instead"},
         {"#declare F=function{internal(76)} #declare G=function{F(x,y,z)+1} #debug str(G(1,2,3),0,0)",
          "'function { internal(76) }' is not modelled."},
     };
     for (const auto& [scene, text] : mistakes) EXPECT_EQ(error_text(scene), text) << scene;
+}
+
+TEST(DeclaredFunction, AsksPigmentsAndPatterns) {
+    const Outcome o = read_scene(
+        "#declare P=function{pigment{checker rgb 1, rgb 0}} #declare Q=function{pattern{wood scale 2}} "
+        "sphere{0,1 pigment{function{P(x,y,z).grey+Q(x,y,z)*P(0,0,0).filter}}}");
+    ASSERT_EQ(o.error, "");
+    const Pigment& pigment = std::get<PlainTexture>((*o.scene->objects.at(0).texture)->at(0).content).pigment;
+    const auto& function = *std::get<std::shared_ptr<const Function>>(std::get<Shared<PatternPigment>>(pigment.content)->pattern.source);
+    EXPECT_EQ(function.sources.size(), 2u) << "the pattern is that of a function that is called";
+    EXPECT_EQ(function.called.size(), 1u);
+    EXPECT_GT(function.source_nodes, 2u);
+    // Each asks the one before twice: too many pigments, not an endless picture.
+    std::string scene = "#declare F0=function{pigment{rgb 1}}\n";
+    for (int i = 1; i < 20; ++i)
+        scene += fmt::format("#declare F{}=function{{pigment{{function{{F{}(x,y,z).x+F{}(y,x,z).x}}}}}}\n", i, i - 1, i - 1);
+    EXPECT_TRUE(read_scene(scene).limit);
 }
 
 TEST(DeclaredFunction, EndlessAndDoublingOnesEnd) {

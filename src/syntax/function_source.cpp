@@ -1,0 +1,47 @@
+#include "syntax/function_source.h"
+
+#include "scene/function_source.h"
+#include "syntax/blocks.h"
+#include "syntax/parse_pattern.h"
+#include "syntax/texture_layers.h"
+
+namespace rt {
+
+namespace {
+
+PigmentFunction pigment_function(Reader& reader) {
+    const Pigment pigment = parse_pigment(reader, default_pigment(reader));
+    const TreeSize size = tree_size(pigment);
+    return {std::make_shared<const StatedSource>(pigment), size.nodes, size.depth};
+}
+
+std::shared_ptr<const Function> pattern_function(Reader& reader) {
+    const Span place = reader.last_place();
+    reader.begin_block("pattern");
+    StatedPattern stated;
+    if (!accept_pattern(reader, stated, PatternUse::pigment)) reader.fail_expected("pattern");
+    while (accept_pattern_modifier(reader, stated, PatternUse::pigment)) {
+    }
+    reader.end_block();
+    Function function;
+    function.parameters = 3;
+    for (std::uint32_t i = 0; i < 3; ++i) function.steps.push_back({.op = Function::Op::argument, .index = i});
+    function.steps.push_back({.op = Function::Op::source});
+    function.stack = 3;
+    PatternPigment whole;
+    whole.pattern = stated;
+    const TreeSize size = tree_size(Pigment{Shared<PatternPigment>(std::move(whole)), {}, {}});
+    limit_size(reader, place, size);
+    function.source_nodes = size.nodes, function.source_depth = size.depth;
+    function.sources.push_back(std::make_shared<const StatedSource>(std::move(stated)));
+    return std::make_shared<const Function>(std::move(function));
+}
+
+}  // namespace
+
+FunctionValue function_of_source(Reader& reader, Word word) {
+    if (word == Word::pigment) return pigment_function(reader);
+    return pattern_function(reader);
+}
+
+}  // namespace rt
