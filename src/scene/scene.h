@@ -40,8 +40,8 @@ struct Object {
     bool double_illuminate = false;
     bool inverse = false;
     bool hollow = false;
-    std::optional<std::uint32_t> shares_interior;  ///< with that object of the same list, which is before this one
-    bool uv_mapping = false;                       ///< all patterns of its textures are seen at (u, v, 0)
+    bool uv_mapping = false;   ///< all patterns of its textures are seen at (u, v, 0)
+    std::uint32_t medium = 0;  ///< objects of one number above 0, parts of one set, have one interior in common
     Span span;
     bool operator==(const Object&) const = default;
 
@@ -119,8 +119,7 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights;
     std::vector<Object> objects;                  ///< in file order; ties between equally near surfaces go to the first
-    std::vector<SetNode> sets;                    ///< those that take pieces of surfaces away, and what they are made of
-    std::vector<Object> clips;                    ///< what clips: seen by no ray
+    std::vector<ObjectSet> sets;                  ///< no object is in two of them
     PigmentColor background{Rgb(0.0), 0.0, 1.0};  ///< none stated: black, and transparent in a picture with alpha
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;

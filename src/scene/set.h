@@ -1,33 +1,49 @@
-// Set operations: how objects of a list belong together. Every part is an object of the list in its own right; what is said here only
-// takes away pieces of its surface.
+// Sets of objects: of which surfaces a scene shows only what lies inside or outside of other bodies.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
+
+#include "core/transform.h"
+#include "geometry/shape.h"
 
 namespace rt {
 
-enum class SetKind : std::uint8_t {
-    together,      ///< union: all surfaces of all parts
-    intersection,  ///< what of each part's surface is inside all others; a difference is one with complements
-    merge,         ///< what of each part's surface is outside all others
+/// A body that cuts without being seen, as `clipped_by` states it.
+struct Solid {
+    Shape shape;
+    std::optional<Transform> transform;
+    bool inverse = false;
+    bool operator==(const Solid&) const = default;
 };
 
-/// A part of a set or what clips one. What clips has no surface and stands in a list of its own.
-struct SetPart {
-    enum class What : std::uint8_t { object, clip, set };
-    What what = What::object;
-    bool complement = false;  ///< everything but it
-    std::uint32_t index = 0;
-    bool operator==(const SetPart&) const = default;
-};
-
+/// A body: a shape, or all or any of some bodies. Of a difference the bodies taken away are stated inverted.
 struct SetNode {
-    SetKind kind = SetKind::together;
-    std::vector<SetPart> parts;
-    std::vector<SetPart> clips;  ///< all surfaces count only inside all of these
-    std::uint32_t depth = 1;     ///< of sets in sets
+    enum class Kind : std::uint8_t {
+        surface,  ///< the shape of an object, which is seen
+        solid,    ///< a body that is not
+        all,      ///< inside of all its parts: intersection, difference; a surface of a part counts inside of all the others
+        any,      ///< inside of any of its parts: union
+        merged,   ///< the same, and a surface of a part counts outside of all the others: merge
+    };
+    Kind kind = Kind::surface;
+    /// An `all` of an object, first, and what it is clipped by: its inverse is the inverse of the object, clipped by the same.
+    bool clips = false;
+    bool cutaway = false;     ///< an `all` whose parts without a texture have that of the parts that they cut
+    std::uint32_t index = 0;  ///< of the object, counted from the set's first one, or of the solid
+    std::uint32_t size = 1;   ///< nodes from this one to the end of its parts
+    /// `Object::medium` of the interior that is stated of the set as a whole; 0: none is.
+    std::uint32_t medium = 0;
     bool operator==(const SetNode&) const = default;
+};
+
+/// One tree of nodes, each followed by its parts.
+struct ObjectSet {
+    std::uint32_t first_object = 0;  ///< in the scene; its surfaces are the objects from there on, in order
+    std::vector<SetNode> nodes;
+    std::vector<Solid> solids;
+    bool operator==(const ObjectSet&) const = default;
 };
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// An object between its parameters and its '}': its modifiers.
+// An object while its modifiers are read.
 #pragma once
 
 #include <memory>
@@ -8,32 +8,33 @@
 
 namespace rt {
 
-/// Which object it is whose modifiers are read: a shape's, a set's, or neither where `object { }` names it.
-struct ObjectSyntax {
-    const ShapeSyntax* shape = nullptr;
-    Word set = Word::none;
-};
-
-/// A single object is `value.objects.front()`; what a set states of itself is `value.whole`. Large: blocks inside each other keep theirs on
-/// the heap. Moving a texture that looks the same
-/// everywhere would only give every object a texture of its own, so what moves it is gathered and applied when it turns out to matter.
-struct ObjectDraft {
-    ObjectValue value;
-    std::vector<Object> nothing;  ///< one takes the modifiers of what can never be hit
-    std::optional<Transform> motion;
+/// Large: blocks inside each other keep theirs on the heap. Moving a texture that looks the same everywhere would only give every object a
+/// texture of its own, so what moves it is gathered and applied when it turns out to matter. What moves the parts of a set is gathered as
+/// well.
+struct Draft {
+    Object object;       ///< a shape, or what is stated of a whole set
+    bool exists = true;  ///< false: it can never be hit, only its text has to be read
     std::optional<Transform> texture_motion;
     std::optional<Transform> interior_texture_motion;
+    std::unique_ptr<SetValue> set;  ///< of a set, or a shape that is clipped; its `whole` is not in use
+    std::optional<Transform> set_motion;
 
-    Object& object() {
-        std::vector<Object>& list = value.root ? value.whole : value.objects.empty() ? nothing : value.objects;
-        if (list.empty()) list.emplace_back();
-        return list.front();
-    }
+    bool is_set() const { return set && set->kind != SetValue::Kind::clipped_shape; }
 };
 
-/// Reads every modifier up to the '}' and that, and applies them.
-ObjectValue finish_object(Reader& reader, std::unique_ptr<ObjectDraft> draft, const ObjectSyntax& syntax);
+std::unique_ptr<Draft> draft_of(ObjectValue value);
+/// Reads modifiers and the end of the block; `shape` says which of them the object takes, if its shape is known.
+ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const ShapeSyntax* shape);
 /// Reads the modifiers of something that is no object: what moves it, all others meaning nothing.
 std::optional<Transform> parse_motion(Reader& reader);
+
+/// `union`, `merge`, `intersection` or `difference`, whose word is next; empty if none is.
+std::optional<ObjectValue> accept_set(Reader& reader);
+/// `clipped_by`, `bounded_by`, `cutaway_textures`, `split_union` at the next token; false if none is there.
+bool accept_set_modifier(Reader& reader, Draft& draft);
+/// As POV-Ray warns of it.
+void warn_of_bound(Reader& reader, const Draft& draft);
+/// Moves the parts of the set and what clips it, as far as they are read.
+void settle_set(Reader& reader, const Span& place, Draft& draft);
 
 }  // namespace rt

@@ -56,31 +56,36 @@ void make_room(Reader& reader) {
     scene.objects.reserve(std::clamp(expected, 2 * size, 64 * size));
 }
 
-/// Places what a set has besides its objects, which are placed next.
-void place_set(Scene& scene, ObjectValue& value) {
-    hand_down(value);
-    std::move(value.lights.begin(), value.lights.end(), std::back_inserter(scene.lights));
-    if (!restricts(value)) {
-        value.sets.clear();
-        value.clips.clear();
-    } else if (value.root->complement) {
-        value.sets.push_back({SetKind::together, {*value.root}, {}});
-    }
-    renumber(value, scene.objects.size(), scene.sets.size(), scene.clips.size());
-    std::move(value.sets.begin(), value.sets.end(), std::back_inserter(scene.sets));
-    std::move(value.clips.begin(), value.clips.end(), std::back_inserter(scene.clips));
+void place_object(Reader& reader, Object object) {
+    if (!object.texture) object.texture = reader.default_texture();
+    count_texture(reader, object.span, *object.texture);
+    if (object.interior_texture) count_texture(reader, object.span, *object.interior_texture);
+    share_texture(reader.scene().objects, *object.texture);
+    make_room(reader);
+    reader.scene().objects.push_back(std::move(object));
 }
 
-void place_objects(Reader& reader, ObjectValue value) {
-    if (value.root) place_set(reader.scene(), value);
-    for (Object& object : value.objects) {
-        if (!object.texture) object.texture = reader.default_texture();
-        count_texture(reader, object.span, *object.texture);
-        if (object.interior_texture) count_texture(reader, object.span, *object.interior_texture);
-        share_texture(reader.scene().objects, *object.texture);
-        make_room(reader);
-        reader.scene().objects.push_back(std::move(object));
+void place_set(Reader& reader, ObjectValue value) {
+    Scene& scene = reader.scene();
+    const Span place = reader.last_place();
+    Parts parts = resolved(std::move(value));
+    reader.count_parts(place, parts.objects.size() + parts.set.solids.size());
+    if (cut_textures(parts) > 0) reader.unmodelled(place, "cutaway_textures that cut several textures");
+    parts.set.first_object = static_cast<std::uint32_t>(scene.objects.size());
+    for (SetNode& node : parts.set.nodes)
+        if (node.medium != 0) node.medium += reader.placed_media();
+    for (ObjectSet& set : separate_sets(parts.set)) scene.sets.push_back(std::move(set));
+    for (Object& object : parts.objects) {
+        if (object.medium != 0) object.medium += reader.placed_media();
+        place_object(reader, std::move(object));
     }
+    reader.placed_media() += parts.media;
+    std::move(parts.lights.begin(), parts.lights.end(), std::back_inserter(scene.lights));
+}
+
+void place(Reader& reader, ObjectValue value) {
+    for (Object& object : value.objects) place_object(reader, std::move(object));
+    if (value.set) place_set(reader, std::move(value));
 }
 
 void place_camera(Reader& reader, const Span& word, Placed& placed) {
@@ -121,7 +126,7 @@ void parse_statement(Reader& reader, Placed& placed) {
         if (Light* light = std::get_if<Light>(&*object))
             scene.lights.push_back(std::move(*light));
         else
-            place_objects(reader, std::get<ObjectValue>(std::move(*object)));
+            place(reader, std::get<ObjectValue>(std::move(*object)));
         return;
     }
     const Token next = reader.peek();

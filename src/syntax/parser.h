@@ -62,6 +62,8 @@ struct ParseOptions {
     std::size_t max_texture_depth = 100;  ///< of patterns inside patterns
     /// Of the whole scene: nodes beyond the first of each texture, counted once where objects share it.
     std::size_t max_scene_nodes = 2'000'000;
+    /// Of all sets of objects together; a part counts once in each set that it becomes a part of, and once in the scene.
+    std::size_t max_set_parts = 10'000'000;
     /// Where the text of an included path comes from, empty if there is none; unset: the file system.
     std::function<std::optional<std::string>(const std::string& path)> read_include;
     /// The picture at a path, empty if there is no such file; throws OptionError for one that cannot be read. Unset: there are none.

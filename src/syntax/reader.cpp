@@ -161,7 +161,7 @@ void Reader::take_declared() {
     state_->used = cursor_.ahead_variable;
     cursor_.step();
     const auto* const object = std::get_if<ObjectValue>(&state_->used->value);
-    if (object && object->objects.size() > many_objects) state_->check_memory(cursor_.last);
+    if (object && object->set && (*object->set)->parts.objects.size() > many_objects) state_->check_memory(cursor_.last);
     if (!state_->used->missing.empty()) state_->report_missing(VariablePtr(state_->used));
 }
 
@@ -223,6 +223,16 @@ void Reader::count_scene_nodes(const Span& place, std::size_t nodes) {
         throw LimitError(scene().sources.describe(
             place, "Parse Error", fmt::format("The textures of the scene have more than {} pigments beyond the first of each.", most)));
 }
+
+void Reader::count_parts(const Span& place, std::size_t parts) {
+    const std::size_t most = options().max_set_parts;
+    state_->set_parts += parts;
+    if (state_->set_parts > most)
+        throw LimitError(
+            scene().sources.describe(place, "Parse Error", fmt::format("The sets of objects have more than {} parts in all.", most)));
+}
+
+std::uint32_t& Reader::placed_media() { return state_->placed_media; }
 
 Reader::CountedLayers& Reader::counted_layers() { return state_->counted_layers; }
 

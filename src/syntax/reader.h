@@ -125,6 +125,10 @@ public:
     TextureLayers& default_texture();
     /// Counts what textures add up to and throws LimitError at `place` where it is too much.
     void count_scene_nodes(const Span& place, std::size_t nodes);
+    /// Counts objects that become parts of sets, or are placed as such, and throws LimitError at `place` where they are too many.
+    void count_parts(const Span& place, std::size_t parts);
+    /// The largest `Object::medium` in the scene.
+    std::uint32_t& placed_media();
     /// The layers whose size was counted last, null once they were edited.
     struct CountedLayers {
         const void* identity = nullptr;

@@ -218,6 +218,8 @@ struct Reader::State : Reader::Cursor {
     bool version_late = false;
     TextureLayers default_texture;
     std::size_t scene_nodes = 0;
+    std::size_t set_parts = 0;
+    std::uint32_t placed_media = 0;
     CountedLayers counted_layers;
     std::unordered_set<const void*> placed_textures;  ///< the scene's objects keep them alive
     std::vector<std::uint32_t> random_streams;

@@ -1,157 +1,241 @@
 #include "syntax/set_value.h"
 
 #include <algorithm>
-#include <iterator>
-#include <unordered_map>
-
-#include "syntax/blocks.h"
-#include "syntax/parameters.h"
-#include "syntax/texture_layers.h"
 
 namespace rt {
 
 namespace {
 
-std::uint32_t size32(std::size_t n) { return static_cast<std::uint32_t>(n); }
+using NodeKind = SetNode::Kind;
 
-template <typename T>
-void move_to_end(std::vector<T>& from, std::vector<T>& to) {
-    if (to.empty())
-        to = std::move(from);
-    else
-        to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
-
-/// A texture that many parts share is moved once.
-class MovedTextures {
-public:
-    MovedTextures(Reader& reader, const Transform& t) : reader_(reader), t_(t) {}
-    void move(std::optional<TextureLayers>& layers) {
-        if (!layers || !has_any_pattern(*layers)) return;
-        const auto known = known_.find(layers->identity());
-        if (known != known_.end()) {
-            layers = known->second.after;
-            return;
-        }
-        const TextureLayers before = *layers;
-        move_layers(reader_, *layers, t_);
-        known_.emplace(before.identity(), Pair{before, *layers});
+NodeKind root_kind(SetValue::Kind kind) {
+    switch (kind) {
+        case SetValue::Kind::union_:
+            return NodeKind::any;
+        case SetValue::Kind::merge:
+            return NodeKind::merged;
+        default:
+            return NodeKind::all;
     }
-
-private:
-    struct Pair {
-        TextureLayers before, after;  ///< the first keeps its address from being another one's
-    };
-    Reader& reader_;
-    const Transform& t_;
-    std::unordered_map<const void*, Pair> known_;
-};
-
-void move_object(Reader& reader, const Span& place, Object& object, const Transform& t) {
-    append(object.transform, t);
-    require_finite(reader, place, *object.transform);
 }
 
-bool is_patch(const Object& object) {
-    return std::holds_alternative<Triangle>(object.shape) || std::holds_alternative<SmoothTriangle>(object.shape) ||
-           std::holds_alternative<Mesh>(object.shape);
+SetNode node_of(NodeKind kind) {
+    SetNode node;
+    node.kind = kind;
+    return node;
+}
+
+/// Inverts the body whose node is number `at`: by De Morgan's laws, down to its shapes.
+void invert(std::vector<Object>& objects, ObjectSet& set, std::size_t at) {
+    const std::size_t end = at + set.nodes[at].size;
+    while (at < end) {
+        SetNode& node = set.nodes[at];
+        if (node.clips) {
+            const std::size_t body = at + 1;
+            invert(objects, set, body);
+            at += node.size;
+            continue;
+        }
+        if (node.kind == NodeKind::surface)
+            objects[node.index].inverse = !objects[node.index].inverse;
+        else if (node.kind == NodeKind::solid)
+            set.solids[node.index].inverse = !set.solids[node.index].inverse;
+        else
+            node.kind = node.kind == NodeKind::all ? NodeKind::merged : NodeKind::all;
+        ++at;
+    }
+}
+
+/// Appends the nodes of `part` from number `first` on, and its solids. The objects that they speak of begin at number `first_object`.
+void append(ObjectSet& to, ObjectSet part, std::size_t first, std::uint32_t first_object, std::uint32_t first_medium = 0) {
+    const auto first_solid = static_cast<std::uint32_t>(to.solids.size());
+    for (std::size_t i = first; i < part.nodes.size(); ++i) {
+        SetNode node = part.nodes[i];
+        if (node.kind == NodeKind::surface) node.index += first_object;
+        if (node.kind == NodeKind::solid) node.index += first_solid;
+        if (node.medium != 0) node.medium += first_medium;
+        to.nodes.push_back(node);
+    }
+    std::move(part.solids.begin(), part.solids.end(), std::back_inserter(to.solids));
+}
+
+/// POV-Ray tests the parts of unions one by one; any other set as a whole, whatever is said of its parts, but for what is not to be seen
+/// of a merge.
+void hand_down_flags(const Object& whole, SetValue::Kind kind, bool split, Object& part) {
+    if (!split) part.no_shadow = false;
+    if (!split && kind != SetValue::Kind::merge) part.no_image = part.no_reflection = false;
+    part.no_shadow |= whole.no_shadow;
+    part.no_image |= whole.no_image;
+    part.no_reflection |= whole.no_reflection;
+    part.double_illuminate |= whole.double_illuminate;
+    part.hollow |= whole.hollow;
+}
+
+/// The interior of the whole is that of the parts without one, which have it in common; so are sets in a union.
+void hand_down_interior(const Object& whole, Parts& parts) {
+    const std::uint32_t medium = ++parts.media;
+    for (Object& part : parts.objects) {
+        if (part.interior) continue;
+        part.interior = whole.interior;
+        part.medium = medium;
+    }
+    std::vector<SetNode>& nodes = parts.set.nodes;
+    const std::size_t last = nodes.front().kind == NodeKind::any ? nodes.size() : 1;
+    for (std::size_t i = 0; i < last; i += i == 0 ? 1 : nodes[i].size)
+        if (nodes[i].medium == 0) nodes[i].medium = medium;
+}
+
+/// What the parts of a set lack they have from the whole.
+void hand_down(const SetValue& set, Parts& parts) {
+    const bool split =
+        set.kind == SetValue::Kind::union_ && set.split && set.clip.nodes.empty() && parts.set.nodes.front().kind == NodeKind::any;
+    for (Object& part : parts.objects) {
+        if (!part.texture) {
+            part.texture = set.whole.texture;
+            part.interior_texture = set.whole.interior_texture;
+        }
+        hand_down_flags(set.whole, set.kind, split, part);
+    }
+    if (set.whole.interior) hand_down_interior(set.whole, parts);
+}
+
+void clip(ObjectSet& set, ObjectSet by) {
+    ObjectSet clipped;
+    clipped.nodes.reserve(1 + set.nodes.size() + by.nodes.size());
+    clipped.nodes.push_back(node_of(NodeKind::all));
+    clipped.nodes.front().clips = true;
+    clipped.nodes.front().medium = set.nodes.front().medium;
+    append(clipped, std::move(set), 0, 0);
+    append(clipped, std::move(by), 0, 0);
+    clipped.nodes.front().size = static_cast<std::uint32_t>(clipped.nodes.size());
+    set = std::move(clipped);
+}
+
+/// A tree of its own with the nodes from `first` to `end`.
+ObjectSet separate(const ObjectSet& set, std::size_t first, std::size_t end) {
+    ObjectSet tree;
+    tree.first_object = set.first_object;
+    for (std::size_t i = first; i < end; ++i) {
+        tree.nodes.push_back(set.nodes[i]);
+        if (set.nodes[i].kind != NodeKind::solid) continue;
+        tree.nodes.back().index = static_cast<std::uint32_t>(tree.solids.size());
+        tree.solids.push_back(set.solids[set.nodes[i].index]);
+    }
+    return tree;
 }
 
 }  // namespace
 
-void renumber(ObjectValue& value, std::size_t objects, std::size_t sets, std::size_t clips) {
-    const auto move = [&](SetPart& part) {
-        const std::size_t before = part.what == SetPart::What::object ? objects : part.what == SetPart::What::set ? sets : clips;
-        part.index += size32(before);
-    };
-    for (SetNode& node : value.sets) {
-        for (SetPart& part : node.parts) move(part);
-        for (SetPart& clip : node.clips) move(clip);
+SetValue empty_set(SetValue::Kind kind) {
+    SetValue set;
+    set.kind = kind;
+    set.parts.set.nodes.push_back(node_of(root_kind(kind)));
+    return set;
+}
+
+void add_part(SetValue& set, Parts part, bool inverted) {
+    Parts& parts = set.parts;
+    if (inverted) invert(part.objects, part.set, 0);
+    SetNode& root = parts.set.nodes.front();
+    const SetNode& top = part.set.nodes.front();
+    const std::size_t first = top.kind == root.kind && !top.clips && !top.cutaway ? 1 : 0;  // a union in a union is no node of its own
+    root.size += top.size - static_cast<std::uint32_t>(first);
+    append(parts.set, std::move(part.set), first, static_cast<std::uint32_t>(parts.objects.size()), parts.media);
+    for (Object& object : part.objects) {
+        if (object.medium != 0) object.medium += parts.media;
+        parts.objects.push_back(std::move(object));
     }
-    for (Object& object : value.objects)
-        if (object.shares_interior) *object.shares_interior += size32(objects);
-    if (value.root) move(*value.root);
+    parts.media += part.media;
+    std::move(part.lights.begin(), part.lights.end(), std::back_inserter(parts.lights));
 }
 
-SetPart root_of(const ObjectValue& value) { return value.root.value_or(SetPart{}); }
-
-std::optional<SetPart> add_part(ObjectValue& whole, ObjectValue part) {
-    if (!part.root && part.objects.empty()) return std::nullopt;
-    hand_down(part);
-    part.root = root_of(part);
-    renumber(part, whole.objects.size(), whole.sets.size(), whole.clips.size());
-    move_to_end(part.objects, whole.objects);
-    move_to_end(part.sets, whole.sets);
-    move_to_end(part.clips, whole.clips);
-    move_to_end(part.lights, whole.lights);
-    return part.root;
-}
-
-std::optional<SetPart> add_clip(ObjectValue& whole, ObjectValue clip) {
-    if (!clip.root && clip.objects.empty()) return std::nullopt;
-    // Its objects become clips behind those that it has itself.
-    const std::uint32_t behind = size32(clip.clips.size());
-    const auto as_clip = [behind](SetPart part) {
-        if (part.what == SetPart::What::object) part = {SetPart::What::clip, part.complement, part.index + behind};
-        return part;
-    };
-    for (SetNode& node : clip.sets)
-        for (SetPart& part : node.parts) part = as_clip(part);
-    clip.root = as_clip(root_of(clip));
-    move_to_end(clip.objects, clip.clips);
-    clip.objects.clear();
-    return add_part(whole, std::move(clip));
-}
-
-void transform_parts(Reader& reader, const Span& place, ObjectValue& value, const Transform& t) {
-    MovedTextures textures(reader, t);
-    for (Object& object : value.objects) {
-        move_object(reader, place, object, t);
-        textures.move(object.texture);
-        textures.move(object.interior_texture);
+void add_body(ObjectSet& bodies, Parts body) {
+    for (SetNode& node : body.set.nodes) {
+        if (node.kind != NodeKind::surface) continue;
+        Object& object = body.objects[node.index];
+        node.kind = NodeKind::solid;
+        node.index = static_cast<std::uint32_t>(body.set.solids.size());
+        body.set.solids.push_back({std::move(object.shape), std::move(object.transform), object.inverse});
     }
-    for (Object& clip : value.clips) move_object(reader, place, clip, t);
-    for (Light& light : value.lights) transform_light(reader, place, light, t);
+    append(bodies, std::move(body.set), 0, 0);
 }
 
-void hand_down(ObjectValue& value) {
-    if (!value.root || value.whole.empty()) return;
-    std::optional<std::uint32_t> first;
-    const Object& whole = value.whole.front();
-    for (std::size_t i = 0; i < value.objects.size(); ++i) {
-        Object& object = value.objects[i];
-        if (!object.texture) {
-            object.texture = whole.texture;
-            if (!object.interior_texture) object.interior_texture = whole.interior_texture;
+void add_bodies(ObjectSet& bodies, const ObjectSet& further) { append(bodies, further, 0, 0); }
+
+void invert(SetValue& set) { invert(set.parts.objects, set.parts.set, 0); }
+
+Parts resolved(ObjectValue value) {
+    if (!value.set) {
+        Parts parts;
+        parts.objects = std::move(value.objects);
+        parts.set.nodes.push_back({});
+        return parts;
+    }
+    SetValue set = std::move(value.set->edit());
+    if (set.kind == SetValue::Kind::clipped_shape) {
+        set.parts.objects.push_back(std::move(set.whole));
+        set.parts.set.nodes.push_back({});
+    } else {
+        hand_down(set, set.parts);
+    }
+    if (!set.clip.nodes.empty()) clip(set.parts.set, std::move(set.clip));
+    return std::move(set.parts);
+}
+
+bool has_texture(const Parts& parts) {
+    return std::any_of(parts.objects.begin(), parts.objects.end(), [](const Object& object) { return object.texture.has_value(); });
+}
+
+bool has_patch(const Parts& parts) {
+    return !parts.lights.empty() || std::any_of(parts.objects.begin(), parts.objects.end(), [](const Object& object) {
+        return is_sheet(object.shape) && !std::holds_alternative<Polygon>(object.shape);
+    });
+}
+
+std::size_t depth(const ObjectSet& set) {
+    std::size_t deepest = 0;
+    std::vector<std::size_t> open;  // ends of the nodes that are not over yet
+    for (std::size_t i = 0; i < set.nodes.size(); ++i) {
+        while (!open.empty() && open.back() <= i) open.pop_back();
+        open.push_back(i + set.nodes[i].size);
+        deepest = std::max(deepest, open.size());
+    }
+    return deepest;
+}
+
+std::size_t cut_textures(Parts& parts) {
+    std::size_t unclear = 0;
+    const std::vector<SetNode>& nodes = parts.set.nodes;
+    for (std::size_t whole = 0; whole < nodes.size(); ++whole) {
+        if (!nodes[whole].cutaway) continue;
+        std::vector<TextureLayers> cut;
+        for (std::size_t i = whole + 1; i < whole + nodes[whole].size; ++i) {
+            if (nodes[i].kind != NodeKind::surface) continue;
+            const Object& object = parts.objects[nodes[i].index];
+            if (object.texture && !object.inverse && std::find(cut.begin(), cut.end(), *object.texture) == cut.end())
+                cut.push_back(*object.texture);
         }
-        if (whole.interior && !object.interior) {
-            object.interior = whole.interior;
-            object.shares_interior = first;
-            if (!first) first = size32(i);
+        for (std::size_t i = whole + 1; i < whole + nodes[whole].size; i += nodes[i].size) {
+            if (nodes[i].kind != NodeKind::surface || parts.objects[nodes[i].index].texture) continue;
+            if (cut.size() > 1) ++unclear;
+            if (!cut.empty()) parts.objects[nodes[i].index].texture = cut.front();
         }
-        object.no_shadow |= whole.no_shadow;
-        object.no_image |= whole.no_image;
-        object.no_reflection |= whole.no_reflection;
-        object.double_illuminate |= whole.double_illuminate;
-        object.hollow |= whole.hollow;
     }
-    value.whole.clear();
+    return unclear;
 }
 
-bool states_texture(const ObjectValue& value) {
-    const auto states = [](const Object& object) { return object.texture || object.interior_texture; };
-    return std::any_of(value.whole.begin(), value.whole.end(), states) || std::any_of(value.objects.begin(), value.objects.end(), states);
-}
-
-bool has_patch(const ObjectValue& value) { return std::any_of(value.objects.begin(), value.objects.end(), is_patch); }
-
-bool restricts(const ObjectValue& value) {
-    if (!value.root) return false;
-    const auto is_plain = [](const SetNode& node) {
-        return node.kind == SetKind::together && node.clips.empty() &&
-               std::none_of(node.parts.begin(), node.parts.end(), [](const SetPart& part) { return part.complement; });
-    };
-    return value.root->complement || !std::all_of(value.sets.begin(), value.sets.end(), is_plain);
+std::vector<ObjectSet> separate_sets(const ObjectSet& set) {
+    std::vector<ObjectSet> trees;
+    for (std::size_t i = 0; i < set.nodes.size();) {
+        const SetNode& node = set.nodes[i];
+        if (node.kind == NodeKind::any || node.kind == NodeKind::surface) {
+            ++i;
+            continue;
+        }
+        trees.push_back(separate(set, i, i + node.size));
+        i += node.size;
+    }
+    return trees;
 }
 
 }  // namespace rt

@@ -1,28 +1,34 @@
-// Putting object values together: parts into sets, what a whole hands down to its parts.
+// What sets of objects are made of.
 #pragma once
 
-#include "syntax/reader.h"
+#include "syntax/value.h"
 
 namespace rt {
 
-/// Moves everything in `part` into the lists of `whole`, its own texture and flags handed down before. Empty if there is nothing in it.
-std::optional<SetPart> add_part(ObjectValue& whole, ObjectValue part);
-/// Takes it as something that clips: its objects have no surface any more. Empty if there is nothing in it.
-std::optional<SetPart> add_clip(ObjectValue& whole, ObjectValue clip);
+/// A set without parts yet.
+SetValue empty_set(SetValue::Kind kind);
+/// Adds a part: as it is or, of a difference, inverted.
+void add_part(SetValue& set, Parts part, bool inverted);
+/// Adds a body of which only the inside matters.
+void add_body(ObjectSet& bodies, Parts body);
+void add_bodies(ObjectSet& bodies, const ObjectSet& further);
+/// Turns a set inside out; what it is clipped by stays.
+void invert(SetValue& set);
 
-/// Makes its indices those of lists that have so many entries before its own.
-void renumber(ObjectValue& value, std::size_t objects, std::size_t sets, std::size_t clips);
-/// What the value is as one part; of a set without parts, a set without parts.
-SetPart root_of(const ObjectValue& value);
-/// Moves all objects, clips and lights, with the textures that the objects state themselves.
-void transform_parts(Reader& reader, const Span& place, ObjectValue& value, const Transform& t);
-/// Gives every part what `value.whole` states and the part lacks, and the flags.
-void hand_down(ObjectValue& value);
-/// Has any part, or the whole, a texture of its own?
-bool states_texture(const ObjectValue& value);
-/// Shapes without an inside: triangles and meshes.
-bool has_patch(const ObjectValue& value);
-/// Whether the sets take away any surface: not so for unions alone.
-bool restricts(const ObjectValue& value);
+/// What is to be seen of the value, each part with what the whole gives it: texture, interior, flags.
+Parts resolved(ObjectValue value);
+
+/// Whether there is something that no body of a clip, a bound or a pattern may have: a texture or a patch.
+bool has_texture(const Parts& parts);
+/// A light, or a surface without inside; polygons do not count.
+bool has_patch(const Parts& parts);
+/// Gives parts without a texture that of what they cut, in sets that ask for it. Returns the number of those that cut several textures,
+/// which have the first of them.
+std::size_t cut_textures(Parts& parts);
+/// Sets in sets.
+std::size_t depth(const ObjectSet& set);
+
+/// The trees that are left when what needs none is taken out: unions that nothing cuts, single shapes.
+std::vector<ObjectSet> separate_sets(const ObjectSet& set);
 
 }  // namespace rt

@@ -29,15 +29,33 @@ struct MaterialValue {
     bool operator==(const MaterialValue&) const = default;
 };
 
-/// An object that was declared, not yet placed: the texture is unset where the file states none. Without `root` it is one object, or none
-/// where it can never be hit; with it, all objects of a set. Indices are those of the lists here.
-struct ObjectValue {
+/// The parts of a set.
+struct Parts {
     std::vector<Object> objects;
-    std::vector<SetNode> sets;
-    std::vector<Object> clips;
+    ObjectSet set;
     std::vector<Light> lights;
-    std::optional<SetPart> root;
-    std::vector<Object> whole;  ///< one if a set states anything itself, which its parts have if they state none; no shape
+    std::uint32_t media = 0;  ///< the largest `Object::medium`
+    bool operator==(const Parts&) const = default;
+};
+
+/// A set, or a shape that is clipped.
+struct SetValue {
+    enum class Kind : std::uint8_t { clipped_shape, union_, merge, intersection, difference };
+    Kind kind = Kind::clipped_shape;
+    bool split = true;    ///< the parts of a union are tested one by one
+    Object whole;         ///< what the parts of a set are given if they lack it; of a clipped shape the shape
+    Parts parts;          ///< of a set
+    ObjectSet clip;       ///< bodies that clip the whole, one tree after the other
+    ObjectSet bound;      ///< those of `bounded_by`, which mean something only where a clip names them
+    bool linked = false;  ///< one of the two named the other
+    bool operator==(const SetValue&) const = default;
+};
+
+/// An object that was declared, not yet placed: the texture is unset where the file states none.
+struct ObjectValue {
+    std::vector<Object> objects;          ///< a shape; none if it can never be hit
+    std::optional<Shared<SetValue>> set;  ///< instead of it
+    bool exists() const { return !objects.empty() || set; }
     bool operator==(const ObjectValue&) const = default;
 };
 

@@ -126,7 +126,7 @@ CourseRecursion::Point CourseRecursion::point_at(const Ray& ray, const Hit& hit)
     const Vec3 at = ray.at(hit.shape.t);
     Vec3 normal = world_.normal(hit, at);
     // The course's triangles are counter-clockwise seen from their outer side, POV-Ray's clockwise.
-    if (world_.surfaces->surfaces().objects[hit.object].kind == SurfaceKind::triangles) normal = -normal;
+    if (world_.surfaces->surfaces().objects[hit.object].is_triangles()) normal = -normal;
     const bool inside = dot(normal, ray.direction) > 0.0;
     return {at, normal, -ray.direction, inside ? -normal : normal, surface_of(hit, at)};
 }

@@ -125,13 +125,6 @@ void Surfaces::add_shape(const Object& object, const Transform& to_world, Surfac
         object.shape);
 }
 
-void Surfaces::add_clip(const Object& clip) {
-    Surface s;
-    s.kind = SurfaceKind::polygon;
-    if (!is_sheet(clip.shape) && !std::holds_alternative<Mesh>(clip.shape)) add_shape(clip, clip.transform.value_or(Transform{}), s);
-    clips.push_back(s);
-}
-
 void Surfaces::add(const Object& object, std::uint8_t seen) {
     Surface s;
     s.seen = seen;

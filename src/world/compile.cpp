@@ -1,6 +1,7 @@
 #include "world/compile.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "world/material_table.h"
 #include "world/surface_index.h"
@@ -52,12 +53,26 @@ std::uint8_t seen_bits(const Object& object, bool transmits) {
 }
 
 /// One list of interiors for all objects. What no ray can be inside of shares element 0; every other object has its own, since a ray's
-/// list of interiors tells objects apart by it.
-std::uint32_t add_interior(const Object& object, const Material& material, std::vector<CompiledInterior>& interiors) {
-    if (!object.interior && !material.can_transmit && !stated_ior(object)) return 0;
-    interiors.push_back(compile_interior(object));
-    return static_cast<std::uint32_t>(interiors.size() - 1);
-}
+/// list of interiors tells objects apart by it. Parts that have one medium in common share its element.
+class InteriorTable {
+public:
+    explicit InteriorTable(std::vector<CompiledInterior>& interiors) : interiors_(interiors) { interiors_.emplace_back(); }
+
+    std::uint32_t add(const Object& object, const Material& material) {
+        if (!object.interior && !material.can_transmit && !stated_ior(object)) return 0;
+        const auto next = static_cast<std::uint32_t>(interiors_.size());
+        if (object.medium != 0) {
+            const auto [known, is_new] = of_medium_.try_emplace(object.medium, next);
+            if (!is_new) return known->second;
+        }
+        interiors_.push_back(compile_interior(object));
+        return next;
+    }
+
+private:
+    std::vector<CompiledInterior>& interiors_;
+    std::unordered_map<std::uint32_t, std::uint32_t> of_medium_;
+};
 
 void require(const Material& material, const CompiledInterior& interior, Features& features) {
     features.transmits |= material.can_transmit;
@@ -105,11 +120,22 @@ void reserve(const Scene& scene, Surfaces& surfaces) {
     surfaces.objects.reserve(scene.objects.size());
 }
 
+/// A set counts once, with the interior of the whole, if it has one: by its first part of that medium.
+bool is_around_camera(const Scene& scene, const Surfaces& surfaces, std::uint32_t object, const Vec3& camera, std::uint32_t& last_set) {
+    const std::uint32_t set = surfaces.set_of(object);
+    if (set == Body::none) return surfaces.contains(object, camera);
+    const std::uint32_t medium = surfaces.bodies[set].medium;
+    if (set == last_set || medium == 0 || scene.objects[object].medium != medium) return false;
+    last_set = set;
+    return surfaces.contains(object, camera);
+}
+
 void find_camera_interiors(const Scene& scene, const Surfaces& surfaces, World& world) {
     // Nobody asks for the list where nothing is transparent and no mirror can be fresnel's.
     if (!world.features.transmits && !world.features.reflects && !world.features.atmosphere) return;
+    std::uint32_t last_set = Body::none;
     for (std::uint32_t object = 0; object < world.objects.size(); ++object) {
-        if (!surfaces.contains(object, world.camera.origin)) continue;
+        if (!is_around_camera(scene, surfaces, object, world.camera.origin, last_set)) continue;
         // Opaque bodies around the camera count as well: they are what a transparent one is nested in.
         std::uint32_t& interior = world.objects[object].interior;
         if (interior == 0) {
@@ -117,8 +143,7 @@ void find_camera_interiors(const Scene& scene, const Surfaces& surfaces, World& 
             world.interiors.back().hollow = scene.objects[object].hollow;
             interior = static_cast<std::uint32_t>(world.interiors.size() - 1);
         }
-        std::vector<std::uint32_t>& around = world.camera_interiors;  // parts of a set share theirs
-        if (std::find(around.begin(), around.end(), interior) == around.end()) around.push_back(interior);
+        world.camera_interiors.push_back(interior);
     }
 }
 
@@ -136,13 +161,12 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
     Surfaces surfaces;
     reserve(scene, surfaces);
     MaterialTable materials(scene, options, warn);
-    world.interiors.emplace_back();
+    InteriorTable interiors(world.interiors);
     world.objects.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
         const std::uint32_t material = materials.add(object);
         const bool loose_triangle = std::holds_alternative<Triangle>(object.shape) || std::holds_alternative<SmoothTriangle>(object.shape);
-        const std::uint32_t interior = object.shares_interior ? world.objects[*object.shares_interior].interior
-                                                              : add_interior(object, materials[material], world.interiors);
+        const std::uint32_t interior = interiors.add(object, materials[material]);
         require(materials[material], world.interiors[interior], world.features);
         world.features.visibility_flags |= object.no_image || object.no_reflection;
         surfaces.add(object, seen_bits(object, materials[material].can_transmit));
@@ -153,7 +177,7 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
             world.uv_frames.push_back({object.shape, object.transform.value_or(Transform{})});
         }
     }
-    surfaces.join(scene);
+    for (const ObjectSet& set : scene.sets) surfaces.add_set(set);
     world.materials = materials.take();
     for (const Material& material : world.materials) {
         require(material.layers, world.features);

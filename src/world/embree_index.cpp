@@ -120,8 +120,9 @@ void bounds_of_body(const RTCBoundsFunctionArguments* args) {
     set_bounds(args, data.frame.to_local(box.min), data.frame.to_local(box.max));
 }
 
+template <std::vector<TriangleBlock> IndexData::*blocks>
 void bounds_of_block(const RTCBoundsFunctionArguments* args) {
-    const TriangleBlock& block = data_of(args).blocks[args->primID];
+    const TriangleBlock& block = (data_of(args).*blocks)[args->primID];
     Vec3 low(infinity), high(-infinity);
     for (const auto& corner : block.corner) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -255,10 +256,10 @@ struct EmbreeIndex::State {
     }
 
     /// Groups triangles that lie together by the surface area heuristic, for which four in a leaf cost as much as one.
-    void make_blocks() {
+    void make_blocks(std::vector<std::uint32_t>& faces, std::vector<TriangleBlock>& blocks) {
         std::vector<RTCBuildPrimitive> primitives;
-        primitives.reserve(data.faces.size());
-        for (const std::uint32_t face : data.faces) {
+        primitives.reserve(faces.size());
+        for (const std::uint32_t face : faces) {
             Bounds box;
             for (const std::uint32_t vertex : data.surfaces.faces[face]) box.extend(data.frame.to_local(data.surfaces.vertices[vertex]));
             if (!box.is_finite()) continue;  // no ray meets it
@@ -280,9 +281,10 @@ struct EmbreeIndex::State {
         arguments.createLeaf = create_leaf;
         const auto* root = static_cast<const GroupNode*>(rtcBuildBVH(&arguments));
         check();
-        data.blocks.reserve(primitives.size() * 3 / 10);
+        blocks.reserve(primitives.size() * 3 / 10);
         free_all(primitives);
-        if (root) collect(*root, data, data.blocks);
+        free_all(faces);
+        if (root) collect(*root, data, blocks);
     }
 
     void sort_objects() {
@@ -290,10 +292,11 @@ struct EmbreeIndex::State {
             const Surface& s = data.surfaces.objects[object];
             if (s.kind == SurfaceKind::sphere)
                 data.spheres.push_back({data.surfaces.spheres[s.first], object, s.first_primitive, s.seen});
-            else if (s.kind != SurfaceKind::triangles)
+            else if (!s.is_triangles())
                 data.bodies.push_back(object);
             else
-                for (std::uint32_t face = s.first; face < s.first + s.count; ++face) data.faces.push_back(face);
+                for (std::uint32_t face = s.first; face < s.first + s.count; ++face)
+                    (s.kind == SurfaceKind::triangles ? data.faces : data.part_faces).push_back(face);
         }
     }
 
@@ -309,9 +312,12 @@ struct EmbreeIndex::State {
         if (!data.faces.empty() && precision == Precision::fast) {
             add_float_triangles();
         } else if (!data.faces.empty()) {
-            make_blocks();
-            free_all(data.faces);
-            add_callbacks<test_block>(data.blocks.size(), bounds_of_block);
+            make_blocks(data.faces, data.blocks);
+            add_callbacks<test_block>(data.blocks.size(), bounds_of_block<&IndexData::blocks>);
+        }
+        if (!data.part_faces.empty()) {
+            make_blocks(data.part_faces, data.part_blocks);
+            add_callbacks<test_part_block>(data.part_blocks.size(), bounds_of_block<&IndexData::part_blocks>);
         }
         rtcCommitScene(scene.get());
         check();

@@ -98,7 +98,6 @@ SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
     for (std::uint32_t object = 0; object < surfaces_.objects.size(); ++object) {
         if (surfaces_.objects[object].count == 0) continue;
         const Bounds box = surfaces_.bounds(object);
-        if (surfaces_.objects[object].part && box.is_empty()) continue;
         const bool fits = options.index != IndexKind::brute_force && box.is_finite() && reach(box, Vec3(0.0)) < largest_indexed;
         (fits ? indexed : listed_).push_back(object);
     }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geometry/shape.h"
-#include "world/set_table.h"
 #include "world/world.h"
 
 namespace rt {
@@ -26,8 +25,21 @@ struct Placed {
     Transform to_world;
 };
 
-/// Of a `part` of a set the shape is in `Surfaces::part_bodies`; parts made of triangles stay such.
-enum class SurfaceKind : std::uint8_t { sphere, plane, placed_sphere, box, cone, torus, disc, polygon, further, triangles, part };
+/// What is a part of a set stands behind a kind of its own, so that nothing else asks for one.
+enum class SurfaceKind : std::uint8_t {
+    sphere,
+    plane,
+    placed_sphere,
+    box,
+    cone,
+    torus,
+    disc,
+    polygon,
+    further,
+    part,
+    part_triangles,
+    triangles
+};
 
 /// One object of the scene: where its shape lies among the arrays of `Surfaces`.
 struct Surface {
@@ -37,11 +49,34 @@ struct Surface {
     bool inverse = false;   ///< normals are negated
     bool of_mesh = false;
     bool mirrored = false;               ///< a mesh whose transform turned it inside out
-    bool part = false;                   ///< of a set, so that pieces of the surface may be missing
     std::uint32_t first_primitive = 0;   ///< primitives of an object are numbered in a row, objects in file order
     std::uint32_t count = 1;             ///< number of primitives: faces of a mesh
     std::uint32_t first = 0;             ///< index into the array of its kind
     std::uint32_t first_normals = flat;  ///< index into `normal_faces`
+    std::uint32_t part = 0;              ///< index into `parts`, for the two kinds of them
+
+    bool is_triangles() const { return kind >= SurfaceKind::part_triangles; }
+};
+
+/// A surface of which only what fits into a set counts.
+struct Part {
+    SurfaceKind kind = SurfaceKind::sphere;  ///< of its shape
+    bool sheet = false;
+    std::uint32_t body = 0;  ///< index into `bodies`
+    double extent = 0.0;     ///< largest absolute coordinate of the set's bounded bodies
+    double size = infinity;  ///< longest side of the box
+    Bounds box;              ///< outside of it nothing counts
+};
+
+/// A node of the trees of sets, each followed by its parts.
+struct Body {
+    static constexpr std::uint32_t none = 0xffffffffu;
+    SetNode::Kind kind = SetNode::Kind::surface;
+    std::uint32_t parent = none;
+    std::uint32_t end = 0;     ///< one past its parts
+    std::uint32_t object = 0;  ///< of a shape
+    std::uint32_t medium = 0;  ///< `SetNode::medium`
+    Bounds box;                ///< around it; of an inverse shape around what is not it
 };
 
 /// A ray's question with the best answer so far; the ray and range outlive it. Equal distances go to the smaller primitive, so the order of
@@ -103,28 +138,22 @@ struct Surfaces {
     std::vector<Placed<Disc>> discs;
     std::vector<Placed<Polygon>> polygons;
     std::vector<Placed<FurtherShape>> further;
-    SetTable sets;
-    std::vector<Surface> clips;  ///< bodies that only clip; of those without an inside nothing but their place
-    /// Of each object where there are sets.
-    struct PartPlace {
-        Bounds box;           ///< of what its set can leave over, with some room
-        double extent = 0.0;  ///< largest coordinate of the whole object
-    };
-    std::vector<PartPlace> part_places;
-    std::vector<Surface> part_bodies;  ///< what parts would be without their sets
+    std::vector<Part> parts;
+    std::vector<Body> bodies;
 
     /// Adds one object; `seen` are the bits of `seen_by`. Throws LimitError beyond 2^32 - 1 primitives.
     void add(const Object& object, std::uint8_t seen);
-    /// After all objects: joins those of the scene's sets.
-    void join(const Scene& scene);
+    /// Makes parts of the set's objects, after all objects were added.
+    void add_set(const ObjectSet& set);
 
     /// Nearest hit of the ray with a whole object, offered to the query; true if it is the best so far.
     bool test(std::uint32_t object, Query& query) const;
     /// The same for one of its primitives.
     bool test_primitive(std::uint32_t object, std::uint32_t primitive, Query& query) const {
         const Surface& s = objects[object];
-        if (s.kind != SurfaceKind::triangles) return test(object, query);
-        return (s.seen & query.seen) && test_face(s.first + (primitive - s.first_primitive), query);
+        if (!s.is_triangles()) return test(object, query);
+        const std::uint32_t face = s.first + (primitive - s.first_primitive);
+        return (s.seen & query.seen) && (s.kind == SurfaceKind::triangles ? test_face(face, query) : test_part_face(face, query));
     }
     /// The same for one triangle, whoever sees it.
     bool test_face(std::uint32_t face, Query& query) const {
@@ -132,10 +161,7 @@ struct Surfaces {
         ShapeHit hit;
         if (!intersect(vertices[f[0]], vertices[f[1]], vertices[f[2]], query.sheared(), query.range, hit)) return false;
         const std::uint32_t object = face_object[face];
-        const Surface& s = objects[object];
-        if (s.part && !keeps(object, hit, query.ray)) [[unlikely]]
-            return false;
-        return query.offer(hit, s.first_primitive + (face - s.first), object);
+        return query.offer(hit, objects[object].first_primitive + (face - objects[object].first), object);
     }
 
     /// For a triangle that single precision found: where the ray meets its plane, without asking whether that is inside the edges.
@@ -146,25 +172,35 @@ struct Surfaces {
     Vec3 flat_side(const Hit& hit, const Vec3& normal) const;
     /// Whether a ray of this direction comes from the inner side, which shows the interior texture.
     bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;
-    /// In world space; not finite for planes and for shapes too large for the numbers. Of a part the piece that its set can leave over,
-    /// which may be empty.
+    /// In world space; not finite for planes and for shapes too large for the numbers.
     Bounds bounds(std::uint32_t object) const;
-    /// Whether the point is in the object's inside (or, for an inverse one, not). Flat shapes and meshes have none.
+    /// Whether the point is in the object's inside (or, for an inverse one, not); for a part, in its set's. Sheets have none.
     bool contains(std::uint32_t object, const Vec3& point) const;
+    /// The body that is the whole set of a part; none for other objects.
+    std::uint32_t set_of(std::uint32_t object) const;
 
-    /// Whether its set leaves over the point of the object that the ray has met.
-    bool keeps(std::uint32_t object, const ShapeHit& hit, const Ray& ray) const;
-
-    /// The surface itself, or of a part what it would be without its set.
-    const Surface& body(const Surface& s) const { return s.kind == SurfaceKind::part ? part_bodies[s.first] : s; }
+    /// The same as `test` for one triangle of a part, whoever sees it.
+    bool test_part_face(std::uint32_t face, Query& query) const;
 
 private:
-    bool test_part(std::uint32_t object, Query& query) const;
-    bool test_faces(const Surface& s, Query& query) const;
-    void add_clip(const Object& clip);
     void add_triangle(const Transform& to_world, const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>* corner_normals, Surface& s);
     void add_mesh(const Transform& to_world, const MeshData& mesh, Surface& s);
     void add_shape(const Object& object, const Transform& to_world, Surface& s);
+    void add_bodies(const ObjectSet& set, std::uint32_t first_solid);
+    void make_part(std::uint32_t body, double extent);
+    Bounds around(std::uint32_t body) const;
+    Bounds shape_bounds(std::uint32_t object) const;
+    bool test_faces(const Surface& s, Query& query) const;
+    bool test_part(std::uint32_t object, Query& query) const;
+    bool counts(const Part& part, const Query& query, double t, const Vec3& normal) const;
+    bool fits(std::uint32_t body, const Vec3& inner, const Vec3& outer) const;
+    bool is_touch(std::uint32_t object, const Ray& ray, double t, double aside, double error) const;
+    bool stands_for_itself(std::uint32_t body, const Query& query, double t, double aside) const;
+    bool has_boundary(std::uint32_t body, const Query& query, const Interval& range) const;
+    bool bounds_set(const Part& part, const Ray& ray, double t, const Vec3& normal, double& aside) const;
+    bool holds(std::uint32_t body, const Vec3& point) const;
+    bool body_contains(std::uint32_t object, const Vec3& point) const;
+    bool shape_contains(std::uint32_t object, const Vec3& point) const;
 };
 
 }  // namespace rt

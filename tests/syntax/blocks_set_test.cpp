@@ -1,10 +1,13 @@
-// union, intersection, difference, merge, clipped_by: what parts have, how they belong together, what is refused.
+// Sets of objects: what their parts are, what the whole gives them, what is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
-#include "core/source.h"
+#include <algorithm>
+#include <array>
+#include <random>
+
 #include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
@@ -12,191 +15,334 @@ namespace rt {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
+using Kind = SetNode::Kind;
 
-std::string error_of(const std::string& text) { return parse_block(text).error; }
-std::vector<std::string> warnings_of(const std::string& text) {
-    const ParsedScene p = parse_block(text);
-    EXPECT_EQ(p.error, "") << text;
-    std::vector<std::string> bared;
-    for (const std::string& message : p.messages) bared.push_back(bare(message, "Parse Warning: "));
-    return bared;
+Scene scene_of(const std::string& text) {
+    ParsedScene parsed = parse_block(text);
+    EXPECT_EQ(parsed.error, "") << text;
+    EXPECT_THAT(parsed.messages, IsEmpty()) << text;
+    return std::move(parsed.scene);
 }
 
-/// "(0 & !1 & 2)" of objects 0 to 2; clips are c0, c1 ... behind a bar.
-std::string text_of(const Scene& scene, const SetPart& part) {
-    const std::string sign = part.complement ? "!" : "";
-    if (part.what == SetPart::What::object) return sign + std::to_string(part.index);
-    if (part.what == SetPart::What::clip) return sign + "c" + std::to_string(part.index);
-    const SetNode& node = scene.sets.at(part.index);
-    const char* joint = node.kind == SetKind::intersection ? " & " : node.kind == SetKind::merge ? " ~ " : " + ";
-    std::string text;
-    for (const SetPart& inner : node.parts) text += (text.empty() ? "" : joint) + text_of(scene, inner);
-    if (!node.clips.empty()) text += " |";
-    for (const SetPart& clip : node.clips) text += " " + text_of(scene, clip);
-    return sign + "(" + text + ")";
+std::vector<Kind> kinds(const ObjectSet& set) {
+    std::vector<Kind> kinds;
+    for (const SetNode& node : set.nodes) kinds.push_back(node.kind);
+    return kinds;
 }
 
-/// The sets that are no parts of others.
-std::string sets_of(const std::string& text) {
-    const ParsedScene p = parse_block(text);
-    EXPECT_EQ(p.error, "") << text;
-    std::vector<bool> inner(p.scene.sets.size());
-    for (const SetNode& node : p.scene.sets)
-        for (const auto* list : {&node.parts, &node.clips})
-            for (const SetPart& part : *list)
-                if (part.what == SetPart::What::set) inner.at(part.index) = true;
-    std::string all;
-    for (std::uint32_t i = 0; i < inner.size(); ++i)
-        if (!inner[i]) all += (all.empty() ? "" : " ") + text_of(p.scene, {SetPart::What::set, false, i});
-    return all;
+std::vector<std::uint32_t> sizes(const ObjectSet& set) {
+    std::vector<std::uint32_t> sizes;
+    for (const SetNode& node : set.nodes) sizes.push_back(node.size);
+    return sizes;
 }
 
-constexpr const char* two = "sphere { 0, 1 } box { 0, 1 } ";
+Rgb rgb_of(const Scene& scene, std::size_t object) { return color_of(scene.objects.at(object)).rgb; }
 
-TEST(Sets, AUnionIsItsObjects) {
-    const ParsedScene p = parse_block("union { sphere { x, 1 } union { box { 0, 1 } sphere { y, 2 } translate z } scale 2 }");
-    ASSERT_EQ(p.scene.objects.size(), 3u);
-    EXPECT_THAT(p.scene.sets, IsEmpty());
-    EXPECT_EQ(p.scene.objects[0].transform->point(Vec3(1, 0, 0)), Vec3(2, 0, 0));
-    EXPECT_EQ(p.scene.objects[2].transform->point(Vec3(0, 1, 0)), Vec3(0, 2, 2));
+TEST(Sets, UnionsAreTheirParts) {
+    const Scene scene = scene_of("union { sphere { 0, 1 } union { box { 0, 1 } torus { 1, 0.2 } } plane { y, 0 } translate x }");
+    ASSERT_EQ(scene.objects.size(), 4u);
+    EXPECT_THAT(scene.sets, IsEmpty());
+    for (const Object& object : scene.objects) EXPECT_EQ(object.transform->offset, Vec3(1, 0, 0));
 }
 
-TEST(Sets, SayHowObjectsBelongTogether) {
-    EXPECT_EQ(sets_of("intersection { sphere { 0, 1 } box { 0, 1 } plane { y, 0 } }"), "(0 & 1 & 2)");
-    EXPECT_EQ(sets_of("difference { sphere { 0, 1 } box { 0, 1 } plane { y, 0 } }"), "(0 & !1 & !2)");
-    EXPECT_EQ(sets_of("merge { sphere { 0, 1 } box { 0, 1 } }"), "(0 ~ 1)");
-    EXPECT_EQ(sets_of("sphere { 9, 1 } difference { union { sphere { 0, 1 } box { 0, 1 } } merge { box { 0, 1 } sphere { 0, 1 } } }"),
-              "((1 + 2) & !(3 ~ 4))");
-    EXPECT_EQ(sets_of("union { difference { sphere { 0, 1 } box { 0, 1 } } sphere { 0, 1 } }"), "((0 & !1) + 2)");
-    EXPECT_EQ(sets_of("union { sphere { 0, 1 } box { 0, 1 } inverse }"), "(!(0 + 1))");
-    EXPECT_EQ(sets_of("intersection { sphere { 0, 1 } intersection { box { 0, 1 } box { 0, 1 } inverse } }"), "(0 & !(1 & 2))");
+TEST(Sets, PartsOfTheSameKindAreOneSet) {
+    const Scene scene =
+        scene_of("sphere { 0, 3 } difference { difference { sphere { 0, 1 } box { 0, 1 } } union { torus { 1, 0.2 } plane { y, 0 } } }");
+    ASSERT_EQ(scene.sets.size(), 1u);
+    const ObjectSet& set = scene.sets.front();
+    EXPECT_EQ(set.first_object, 1u);
+    EXPECT_THAT(kinds(set), ElementsAre(Kind::all, Kind::surface, Kind::surface, Kind::surface, Kind::surface));
+    EXPECT_THAT(sizes(set), ElementsAre(5, 1, 1, 1, 1));
+    std::vector<bool> inverse;
+    for (const Object& object : scene.objects) inverse.push_back(object.inverse);
+    EXPECT_THAT(inverse, ElementsAre(false, false, true, true, true));
 }
 
-TEST(Sets, OfTheirOwnKindAreOneSet) {
-    EXPECT_EQ(sets_of("difference { difference { sphere { 0, 1 } box { 0, 1 } } plane { y, 0 } }"), "(0 & !1 & !2)");
-    EXPECT_EQ(sets_of("intersection { sphere { 0, 1 } intersection { box { 0, 1 } plane { y, 0 } } }"), "(0 & 1 & 2)");
-    EXPECT_EQ(sets_of("difference { sphere { 0, 1 } difference { box { 0, 1 } plane { y, 0 } } }"), "(0 & !(1 & !2))");
+TEST(Sets, InverseTurnsIntersectionsIntoMergesAndBack) {
+    const Scene scene = scene_of("intersection { sphere { 0, 3 } intersection { sphere { 0, 1 } box { 0, 1 inverse } inverse } }");
+    EXPECT_THAT(kinds(scene.sets.at(0)), ElementsAre(Kind::all, Kind::surface, Kind::merged, Kind::surface, Kind::surface));
+    EXPECT_THAT(sizes(scene.sets.at(0)), ElementsAre(5, 1, 3, 1, 1));
+    EXPECT_TRUE(scene.objects.at(1).inverse);
+    EXPECT_FALSE(scene.objects.at(2).inverse);
+    EXPECT_THAT(kinds(scene_of("union { sphere { 0, 3 } box { 0, 1 } inverse }").sets.at(0)),
+                ElementsAre(Kind::all, Kind::surface, Kind::surface));
 }
 
-TEST(Sets, ArePlacedAnyNumberOfTimes) {
-    EXPECT_EQ(
-        sets_of("#declare D = difference { sphere { 0, 1 } box { 0, 1 } } D object { D scale 2 } union { object { D } object { D } }"),
-        "(0 & !1) (2 & !3) ((4 & !5) + (6 & !7))");
+TEST(Sets, InverseLeavesWhatClipsAsItIs) {
+    const Scene scene = scene_of("difference { sphere { 0, 3 } box { 0, 1 } clipped_by { plane { y, 0 } } inverse }");
+    ASSERT_EQ(scene.sets.size(), 1u);
+    EXPECT_THAT(kinds(scene.sets[0]), ElementsAre(Kind::all, Kind::merged, Kind::surface, Kind::surface, Kind::solid));
+    EXPECT_TRUE(scene.objects[0].inverse);
+    EXPECT_FALSE(scene.objects[1].inverse);
+    EXPECT_FALSE(scene.sets[0].solids[0].inverse);
+    const Scene cut = scene_of("difference { sphere { 0, 3 } sphere { 0, 1 clipped_by { plane { y, 0 } } } }");
+    EXPECT_TRUE(cut.objects[1].inverse);
+    EXPECT_FALSE(cut.sets[0].solids[0].inverse);
 }
 
-TEST(Sets, PartsWithoutATextureHaveThatOfTheWhole) {
-    const ParsedScene p = parse_block(
-        "#declare U = union { sphere { 0, 1 pigment { rgb 0.1 } } difference { box { 0, 1 } sphere { 0, 1 pigment { rgb 0.2 } } pigment { "
-        "rgb "
-        "0.3 } } sphere { 0, 2 } pigment { rgb 0.4 } }\nU object { U pigment { rgb 0.5 } }");
-    std::vector<double> reds;
-    for (const Object& object : p.scene.objects) reds.push_back(color_of(object).rgb.r);
-    EXPECT_THAT(reds, ElementsAre(0.1, 0.3, 0.2, 0.4, 0.1, 0.3, 0.2, 0.5));
+TEST(Sets, WhatIsInUnionsIsASetOfItsOwn) {
+    const Scene scene =
+        scene_of("union { merge { sphere { 0, 1 } box { 0, 1 } } sphere { 0, 1 } sphere { 0, 1 clipped_by { box { 0, 1 } } } }");
+    ASSERT_EQ(scene.sets.size(), 2u);
+    EXPECT_THAT(kinds(scene.sets[0]), ElementsAre(Kind::merged, Kind::surface, Kind::surface));
+    EXPECT_THAT(kinds(scene.sets[1]), ElementsAre(Kind::all, Kind::surface, Kind::solid));
+    EXPECT_TRUE(scene.sets[1].nodes[0].clips);
+    EXPECT_EQ(scene.sets[1].nodes[1].index, 3u);
+    EXPECT_EQ(scene.sets[1].nodes[2].index, 0u);
+    EXPECT_EQ(scene.sets[1].solids.size(), 1u);
 }
 
-TEST(Sets, AWholesTextureMovesWithItAndAPartsWithBoth) {
-    const ParsedScene p = parse_block(
-        "union { sphere { 0, 1 pigment { checker rgb 0 rgb 1 } translate x } sphere { 0, 1 } pigment { checker rgb 0 rgb 1 } translate y "
-        "}");
-    EXPECT_EQ(moved(layer(p.scene.objects[0]).pigment, Vec3(0.0)), Vec3(1, 1, 0));
-    EXPECT_EQ(moved(layer(p.scene.objects[1]).pigment, Vec3(0.0)), Vec3(0, 1, 0));
+TEST(Sets, TheTextureOfTheWholeIsForPartsWithoutOne) {
+    const Scene scene = scene_of(
+        "#declare U = union { sphere { 0, 1 } sphere { 0, 1 pigment { rgb 0.2 } } pigment { rgb 0.3 } }\n"
+        "object { U } object { U pigment { rgb 0.4 } } difference { object { U } box { 0, 1 } pigment { rgb 0.5 } } union { sphere { 0, 1 "
+        "} box { 0, 1 } }");
+    EXPECT_EQ(rgb_of(scene, 0), Rgb(0.3));
+    EXPECT_EQ(rgb_of(scene, 1), Rgb(0.2));
+    EXPECT_EQ(rgb_of(scene, 2), Rgb(0.4));
+    EXPECT_EQ(rgb_of(scene, 3), Rgb(0.2));
+    EXPECT_EQ(rgb_of(scene, 4), Rgb(0.3));
+    EXPECT_EQ(rgb_of(scene, 6), Rgb(0.5));
+    EXPECT_EQ(rgb_of(scene, 7), Rgb(0.0));
 }
 
-TEST(Sets, PartsHaveTheFlagsOfTheWhole) {
-    const ParsedScene p = parse_block("merge { sphere { 0, 1 no_image } box { 0, 1 } no_shadow no_reflection double_illuminate hollow }");
-    for (const Object& o : p.scene.objects) EXPECT_TRUE(o.no_shadow && o.no_reflection && o.double_illuminate && o.hollow);
-    EXPECT_TRUE(p.scene.objects[0].no_image);
-    EXPECT_FALSE(p.scene.objects[1].no_image);
+TEST(Sets, TransformsMoveWhatStoodBeforeThem) {
+    const Scene scene = scene_of(
+        "union { sphere { 0, 1 pigment { checker rgb 0 rgb 1 } } sphere { 0, 1 } pigment { checker rgb 0 rgb 1 } translate x "
+        "clipped_by { box { 0, 1 } } translate y clipped_by { sphere { 0, 1 } } }");
+    for (int i : {0, 1}) EXPECT_EQ(scene.objects[i].transform->offset, Vec3(1, 1, 0));
+    for (int i : {0, 1}) EXPECT_EQ(moved(layer(scene.objects[i]).pigment, Vec3(0.0)), Vec3(1, 1, 0));
+    const std::vector<Solid>& solids = scene.sets.at(0).solids;
+    EXPECT_EQ(solids.at(0).transform->offset, Vec3(0, 1, 0));
+    EXPECT_FALSE(solids.at(1).transform);
+    const Scene inside = scene_of("sphere { 0, 1 clipped_by { plane { y, 0 } box { 0, 1 } rotate 90*x } rotate 90*x }");
+    for (const Solid& solid : inside.sets.at(0).solids) EXPECT_LT(length(solid.transform->point(Vec3(1, 2, 3)) - Vec3(1, -2, -3)), 1e-12);
+    const Scene before = scene_of("union { sphere { 0, 1 } sphere { 0, 1 } translate x pigment { checker rgb 0 rgb 1 } }");
+    EXPECT_EQ(moved(layer(before.objects[0]).pigment, Vec3(0.0)), Vec3(0, 0, 0));
 }
 
-TEST(Sets, PartsShareTheInteriorOfTheWhole) {
-    const ParsedScene p =
-        parse_block("sphere { 5, 1 } union { sphere { 0, 1 } sphere { 0, 1 interior { ior 2 } } box { 0, 1 } interior { ior 1.5 } }");
-    ASSERT_EQ(p.scene.objects.size(), 4u);
-    EXPECT_FALSE(p.scene.objects[1].shares_interior);
-    EXPECT_FALSE(p.scene.objects[2].shares_interior);
-    EXPECT_EQ((*p.scene.objects[2].interior)->ior, 2.0);
-    EXPECT_EQ(p.scene.objects[3].shares_interior, 1u);
-    EXPECT_EQ((*p.scene.objects[3].interior)->ior, 1.5);
+TEST(Sets, OfUvMappingASurfaceTakesItsCoordinatesAlong) {
+    const Scene scene = scene_of(
+        "union { sphere { 0, 1 uv_mapping pigment { checker rgb 0 rgb 1 } } sphere { 0, 1 pigment { checker rgb 0 rgb 1 } } translate x }");
+    EXPECT_EQ(moved(layer(scene.objects[0]).pigment, Vec3(0.0)), Vec3(0, 0, 0));
+    EXPECT_EQ(moved(layer(scene.objects[1]).pigment, Vec3(0.0)), Vec3(1, 0, 0));
 }
 
-TEST(Sets, LampsInThemAreTheScenes) {
-    const ParsedScene p = parse_block(
-        "union { light_source { x, rgb 1 } sphere { 0, 1 } translate y } union { light_source { 0 rgb 1 } light_source { x rgb 1 } }");
-    ASSERT_EQ(p.scene.lights.size(), 3u);
-    EXPECT_EQ(p.scene.lights[0].location, Vec3(1, 1, 0));
-    EXPECT_EQ(p.scene.objects.size(), 1u);
+TEST(Sets, PartsWithOneTextureShareItWhenTheyAreMoved) {
+    const Scene scene = scene_of(
+        "#declare T = texture { pigment { checker rgb 0 rgb 1 } } union { sphere { 0, 1 texture { T } } sphere { 0, 1 texture { T } } "
+        "rotate 30*x }");
+    EXPECT_EQ((*scene.objects[0].texture).identity(), (*scene.objects[1].texture).identity());
+    EXPECT_NE(moved(layer(scene.objects[0]).pigment, Vec3(1.0)), Vec3(1.0));
 }
 
-TEST(Clips, HaveNoSurface) {
-    const ParsedScene p =
-        parse_block("sphere { 0, 1 clipped_by { plane { y, 0 } box { 0, 1 inverse } rotate 90*x } clipped_by { sphere { 0, 2 } } }");
-    ASSERT_EQ(p.scene.objects.size(), 1u);
-    ASSERT_EQ(p.scene.clips.size(), 3u);
-    EXPECT_EQ(text_of(p.scene, {SetPart::What::set, false, 0}), "(0 | c0 c1 c2)");
-    EXPECT_TRUE(p.scene.clips[0].transform && p.scene.clips[1].transform);
-    EXPECT_FALSE(p.scene.clips[2].transform);
-    EXPECT_TRUE(p.scene.clips[1].inverse);
+TEST(Sets, TheInteriorOfTheWholeIsOneMedium) {
+    const Scene scene = scene_of(
+        "#declare U = union { sphere { 0, 1 } sphere { 0, 1 interior { ior 1.1 } } box { 0, 1 } interior { ior 1.5 } }\n"
+        "object { U } object { U } union { object { U } object { U } } sphere { 0, 1 interior { ior 2 } }");
+    std::vector<std::uint32_t> media;
+    for (const Object& object : scene.objects) media.push_back(object.medium);
+    EXPECT_THAT(media, ElementsAre(1, 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 0));
+    EXPECT_EQ((**scene.objects[0].interior).ior, 1.5);
+    EXPECT_EQ((**scene.objects[1].interior).ior, 1.1);
 }
 
-TEST(Clips, MoveWithWhatTheyClipFromThenOn) {
-    const ParsedScene p = parse_block("sphere { 0, 1 translate x clipped_by { plane { y, 0 } } translate z }");
-    EXPECT_EQ(p.scene.objects[0].transform->point(Vec3(0.0)), Vec3(1, 0, 1));
-    EXPECT_EQ(p.scene.clips[0].transform->point(Vec3(0.0)), Vec3(0, 0, 1));
+TEST(Sets, FlagsOfPartsCountInUnionsOnly) {
+    const std::string parts = "{ box { -1, 0 no_image no_shadow } sphere { 0, 1 } ";
+    const auto flags = [&](const std::string& text) {
+        const Object object = scene_of(text).objects.at(0);
+        return std::pair(object.no_image, object.no_shadow);
+    };
+    EXPECT_EQ(flags("union " + parts + "}"), std::pair(true, true));
+    EXPECT_EQ(flags("union " + parts + "split_union off }"), std::pair(false, false));
+    EXPECT_EQ(flags("union " + parts + "clipped_by { box { -1, 1 } } }"), std::pair(false, false));
+    EXPECT_EQ(flags("merge " + parts + "}"), std::pair(true, false));
+    EXPECT_EQ(flags("difference " + parts + "}"), std::pair(false, false));
+    EXPECT_EQ(flags("union { intersection " + parts + "no_image } sphere { 0, 1 } no_shadow }"), std::pair(true, true));
 }
 
-TEST(Clips, MayBeSets) {
-    EXPECT_EQ(
-        sets_of("#declare C = difference { sphere { 0, 1 } box { 0, 1 } } union { sphere { 0, 1 } box { 0, 1 } clipped_by { C } inverse }"),
-        "(!(0 + 1 | (c0 & !c1)))");
+TEST(Sets, LightsMoveAndShineInTheScene) {
+    const Scene scene = scene_of("union { sphere { 0, 1 } light_source { <1, 2, 3> rgb 1 } translate <1, 0, 0> }");
+    EXPECT_EQ(scene.lights.at(0).location, Vec3(2, 2, 3));
+    EXPECT_EQ(scene.objects.size(), 1u);
 }
 
-TEST(Clips, TheClippedObjectsModifiersGoOn) {
-    const ParsedScene p = parse_block("sphere { 0, 1 pigment { rgb 0.5 } clipped_by { plane { y, 0 } } finish { phong 1 } no_shadow }");
-    EXPECT_EQ(color_of(p.scene.objects[0]).rgb.r, 0.5);
-    EXPECT_EQ(layer(p.scene.objects[0]).finish.phong, 1.0);
-    EXPECT_TRUE(p.scene.objects[0].no_shadow);
+TEST(Sets, CutawayTextures) {
+    const Scene scene = scene_of(
+        "difference { box { -1, 1 pigment { rgb 0.2 } } sphere { 0, 1 } sphere { x, 1 pigment { rgb 0.3 } } cutaway_textures }"
+        "difference { box { -1, 1 pigment { rgb 0.2 } } sphere { 0, 1 } cutaway_textures pigment { rgb 0.4 } }");
+    EXPECT_EQ(rgb_of(scene, 1), Rgb(0.2));
+    EXPECT_EQ(rgb_of(scene, 2), Rgb(0.3));
+    EXPECT_EQ(rgb_of(scene, 4), Rgb(0.4));
+    EXPECT_EQ(parse_block(
+                  "intersection { box { -1, 1 pigment { rgb 0.2 } } sphere { 0, 1 } sphere { x, 1 pigment { rgb 0.3 } } cutaway_textures }")
+                  .error,
+              "'cutaway_textures that cut several textures' is not modelled.");
 }
 
-TEST(Sets, Warnings) {
-    EXPECT_THAT(warnings_of("union { sphere { 0, 1 } }"), ElementsAre("Should have at least 2 objects in csg."));
-    EXPECT_THAT(warnings_of("difference { }"), ElementsAre("Should have at least 2 objects in csg."));
-    EXPECT_THAT(warnings_of("intersection { sphere { 0, 1 } triangle { 0, x, y } }"),
-                ElementsAre("Patch objects not allowed in intersection."));
-    EXPECT_THAT(warnings_of("difference { sphere { 0, 1 } light_source { 0, rgb 1 } }"),
-                ElementsAre("Patch objects not allowed in intersection."));
-    EXPECT_THAT(warnings_of("merge { sphere { 0, 1 } triangle { 0, x, y } }"), IsEmpty());
-    EXPECT_THAT(warnings_of("#declare U = union { sphere { 0, 1 } box { 0, 1 } } difference { U pigment { rgb 1 } }"), IsEmpty());
+TEST(Sets, BoundsChangeNothing) {
+    EXPECT_THAT(scene_of("difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 1 } } }").sets.at(0).solids, IsEmpty());
+    EXPECT_EQ(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }").scene.sets.at(0).solids.size(), 1u);
+    EXPECT_THAT(scene_of("sphere { 0, 1 clipped_by { bounded_by } }").sets, IsEmpty());
+    EXPECT_THAT(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } }").messages,
+                ElementsAre(HasSubstr("Parse Warning: Unnecessary bounding object removed.")));
+    EXPECT_THAT(parse_block("union { sphere { 0, 1 } box { 0, 1 } bounded_by { box { -1, 1 } } }").messages,
+                ElementsAre(HasSubstr("Parse Warning: CSG union unnecessarily bounded.")));
 }
 
-TEST(Sets, Mistakes) {
-    EXPECT_EQ(error_of("union { sphere { 0, 1 } pigment { rgb 1 } box { 0, 1 } }"), "No matching } in 'union', box found instead");
-    EXPECT_EQ(error_of("#declare U = sphere { 0, 1 } difference { U box { 0, 1 } }"), "No matching } in 'difference', box found instead");
-    EXPECT_EQ(error_of("union { sphere { 0, 1 } Foo }"), "No matching } in 'union', undeclared identifier 'Foo' found instead");
-    EXPECT_EQ(error_of(fmt::format("union {{ {} cutaway_textures }}", two)),
+TEST(Sets, ThatLackPartsAreNothingOrLess) {
+    ParseOptions lenient;
+    lenient.lenient = true;
+    EXPECT_THAT(parse_block("difference { julia_fractal { 0 } sphere { 0, 1 } box { 0, 1 } }", lenient).scene.objects, IsEmpty());
+    EXPECT_EQ(parse_block("difference { sphere { 0, 1 } julia_fractal { 0 } box { 0, 1 } }", lenient).scene.objects.size(), 2u);
+    EXPECT_THAT(parse_block("union { }").messages, ElementsAre(HasSubstr("Parse Warning: Should have at least 2 objects in csg.")));
+    EXPECT_EQ(parse_block("difference { sphere { 0, 1 } }").messages.size(), 1u);
+}
+
+TEST(Sets, RefusalsAndWarningsAreThoseOfPovRay) {
+    const auto error = [](const std::string& text) { return parse_block(text).error; };
+    EXPECT_EQ(error("union { sphere { 0, 1 } scale 2 sphere { 1, 1 } }"), "No matching } in 'union', sphere found instead");
+    EXPECT_EQ(error("#declare S = sphere { 0, 1 } union { S sphere { 1, 1 } }"), "No matching } in 'union', sphere found instead");
+    EXPECT_EQ(error("union { sphere { 0, 1 }, sphere { 1, 1 } }"), "No matching } in 'union', , found instead");
+    EXPECT_EQ(error("merge { sphere { 0, 1 } sphere { 1, 1 } cutaway_textures }"),
               "cutaway_textures can only be used with intersection and difference.");
-    EXPECT_EQ(error_of(fmt::format("difference {{ {} split_union off }}", two)), "split_union found in non-union object.");
-    EXPECT_EQ(error_of(fmt::format("union {{ {} split_union off }}", two)), "");
-    EXPECT_EQ(error_of(fmt::format("merge {{ {} sturm }}", two)), "Keyword 'sturm' cannot be used with this object.");
-    EXPECT_EQ(error_of("sphere { 0, 1 clipped_by { } }"), "Expected 'object', } found instead");
-    EXPECT_EQ(error_of("sphere { 0, 1 clipped_by { sphere { 0, 1 pigment { rgb 1 } } } }"),
-              "Illegal texture or patch in clip, bound or object pattern.");
-    EXPECT_EQ(error_of("sphere { 0, 1 clipped_by { triangle { 0, x, y } } }"),
-              "Illegal texture or patch in clip, bound or object pattern.");
-    EXPECT_EQ(error_of("sphere { 0, 1 clipped_by { sphere { 0, 1 } inverse } }"), "No matching } in 'clipped_by', inverse found instead");
-    EXPECT_EQ(error_of(fmt::format("difference {{ {} cutaway_textures }}", two)), "'cutaway_textures' is not modelled.");
-    EXPECT_EQ(error_of("sphere { 0, 1 clipped_by { bounded_by } }"), "'clipped_by { bounded_by }' is not modelled.");
+    EXPECT_EQ(error("difference { sphere { 0, 1 } sphere { 1, 1 } split_union off }"), "split_union found in non-union object.");
+    EXPECT_EQ(error("union { sphere { 0, 1 } sphere { 1, 1 } sturm }"), "Keyword 'sturm' cannot be used with this object.");
+    EXPECT_EQ(error("sphere { 0, 1 clipped_by { } }"), "Expected 'object', } found instead");
+    EXPECT_EQ(error("sphere { 0, 1 clipped_by { box { 0, 1 }, box { 0, 1 } } }"), "No matching } in 'clipped_by', , found instead");
+    const std::string bounded = "sphere { 0, 1 bounded_by { box { -1, 1 } } ", clipped = "sphere { 0, 1 clipped_by { box { -1, 1 } } ";
+    EXPECT_EQ(error(bounded + "clipped_by { bounded_by } clipped_by { plane { y, 0 } } }"),
+              "Cannot add clips after linking bounds and clips.");
+    EXPECT_EQ(error("#declare S = " + clipped + "bounded_by { clipped_by } } object { S bounded_by { plane { y, 0 } } }"),
+              "Cannot add bounds after linking bounds and clips.");
+    EXPECT_EQ(error(bounded + "clipped_by { plane { y, 0 } } clipped_by { bounded_by } }"), "Cannot link bounds with previous clips.");
+    EXPECT_EQ(error(clipped + "bounded_by { plane { y, 0 } } bounded_by { clipped_by } }"), "Cannot link clips with previous bounds.");
+    EXPECT_EQ(error("sphere { 0, 1 clipped_by { bounded_by } clipped_by { plane { y, 0 } } }"), "");
+    for (const char* body : {"box { 0, 1 pigment { rgb 1 } }", "triangle { 0, x, y }", "union { box { 0, 1 } light_source { 0 rgb 1 } }"}) {
+        EXPECT_EQ(error(std::string("sphere { 0, 1 clipped_by { ") + body + " } }"),
+                  "Illegal texture or patch in clip, bound or object pattern.");
+        EXPECT_EQ(error(std::string("sphere { 0, 1 bounded_by { ") + body + " } }"),
+                  "Illegal texture or patch in clip, bound or object pattern.");
+    }
+    EXPECT_THAT(parse_block("intersection { sphere { 0, 1 } triangle { 0, x, y } }").messages,
+                ElementsAre(HasSubstr("Parse Warning: Patch objects not allowed in intersection.")));
+    EXPECT_THAT(parse_block("merge { sphere { 0, 1 } triangle { 0, x, y } }").messages, IsEmpty());
 }
 
-TEST(Sets, NestOnlySoDeep) {
-    std::string text = "#declare A = sphere { 0, 1 }\n";
-    for (int i = 0; i < 501; ++i) text += "#declare A = union { difference { sphere { 0, 1 } object { A } } sphere { 0, 1 } }\n";
+/// Random sets as text, and what they contain as set theory has it.
+class RandomSet {
+public:
+    explicit RandomSet(unsigned seed) : random_(seed) { root_ = make(3); }
+    const std::string& text() const { return nodes_[root_].text; }
+    bool contains(const Vec3& p) const { return contains(root_, p); }
+
+private:
+    enum class Join { shape, all, any, difference };
+    struct Node {
+        Join join = Join::shape;
+        bool inverse = false;
+        Vec3 center{0.0};
+        std::vector<std::size_t> parts;
+        std::optional<std::size_t> clip;
+        std::string text;
+    };
+
+    int whole(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+    std::size_t make(int depth) {
+        Node node;
+        if (depth < 3 && (depth == 0 || whole(3) == 0)) {
+            node.center = {0.5 * whole(5) - 1.0, 0.5 * whole(5) - 1.0, 0.5 * whole(5) - 1.0};
+            node.text = fmt::format("sphere {{ <{}, {}, {}>, 1", node.center.x, node.center.y, node.center.z);
+        } else {
+            const int kind = whole(4);
+            node.join = kind == 0 ? Join::all : kind == 3 ? Join::difference : Join::any;
+            node.text = std::array{"intersection {", "union {", "merge {", "difference {"}[static_cast<std::size_t>(kind)];
+            for (int i = 0; i < 2 + whole(2); ++i) {
+                node.parts.push_back(make(depth - 1));
+                node.text += " " + nodes_[node.parts.back()].text;
+            }
+        }
+        if (depth > 0 && whole(4) == 0) {
+            node.clip = make(0);
+            node.text += " clipped_by { " + nodes_[*node.clip].text + " }";
+        }
+        node.inverse = whole(3) == 0;
+        node.text += node.inverse ? " inverse }" : " }";
+        nodes_.push_back(std::move(node));
+        return nodes_.size() - 1;
+    }
+    /// `turned` inside out, down to the shapes: whatever is clipped is turned, what it is clipped by is not.
+    bool contains(std::size_t at, const Vec3& p, bool turned = false) const {
+        const Node& node = nodes_[at];
+        if (node.clip && !contains(*node.clip, p)) return false;
+        turned ^= node.inverse;
+        if (node.join == Join::shape) return (length(p - node.center) < 1.0) != turned;
+        const auto holds = [&](std::size_t part) {
+            return contains(part, p, turned != (node.join == Join::difference && part != node.parts[0]));
+        };
+        return (node.join == Join::any) != turned ? std::ranges::any_of(node.parts, holds) : std::ranges::all_of(node.parts, holds);
+    }
+
+    std::mt19937 random_;
+    std::vector<Node> nodes_;
+    std::size_t root_ = 0;
+};
+
+bool contains(const Scene& scene, const ObjectSet& set, std::size_t at, const Vec3& p) {
+    const SetNode& node = set.nodes[at];
+    const auto in_sphere = [&](const Shape& shape) { return length(p - std::get<Sphere>(shape).center) < 1.0; };
+    if (node.kind == Kind::surface) {
+        const Object& object = scene.objects[set.first_object + node.index];
+        return in_sphere(object.shape) != object.inverse;
+    }
+    if (node.kind == Kind::solid) return in_sphere(set.solids[node.index].shape) != set.solids[node.index].inverse;
+    const bool any = node.kind != Kind::all;
+    for (std::size_t i = at + 1; i < at + node.size; i += set.nodes[i].size)
+        if (contains(scene, set, i, p) == any) return any;
+    return !any;
+}
+
+/// Complements of intersections, of differences, of what is clipped, in each other.
+TEST(Sets, ContainWhatSetTheorySays) {
+    std::size_t inside = 0, outside = 0;
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        const RandomSet stated(seed);
+        // In a set, so that a union is one tree as well.
+        const Scene scene = scene_of("intersection { " + stated.text() + " sphere { 0, 1 } }");
+        ASSERT_EQ(scene.sets.size(), 1u);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+        for (int i = 0; i < 50; ++i) {
+            const Vec3 p(coordinate(random), coordinate(random), coordinate(random));
+            const bool expected = length(p) < 1.0 && stated.contains(p);
+            ASSERT_EQ(contains(scene, scene.sets[0], 0, p), expected) << stated.text();
+            ++(expected ? inside : outside);
+        }
+    }
+    EXPECT_GT(inside, 5000u);
+    EXPECT_GT(outside, 5000u);
+}
+
+TEST(Sets, AreLimited) {
+    std::string doubling = "#declare U = union { sphere { 0, 1 } sphere { x, 1 } }\n";
+    for (int i = 0; i < 20; ++i) doubling += "#declare U = union { object { U } object { U translate x } }\n";
+    ParseOptions options;
+    options.max_set_parts = 1000;
     try {
-        parse_text({"deep.pov", "#version 3.7;\n" + text}, {}, [](std::string_view) {});
-        FAIL() << "no limit";
-    } catch (const LimitError& error) {
-        EXPECT_EQ(first_line(error.what()), "File 'deep.pov' line 503: Parse Error: Sets are nested more than 1000 deep.");
+        parse_block(doubling, options);
+        ADD_FAILURE() << "no limit";
+    } catch (const LimitError& e) {
+        EXPECT_EQ(first_line(e.what()), "File 'test.pov' line 9: Parse Error: The sets of objects have more than 1000 parts in all.");
+    }
+    std::string deep = "#declare D = sphere { 0, 1 }\n";
+    for (int i = 0; i < 600; ++i) deep += "#declare D = merge { intersection { object { D } sphere { 0, 1 } } sphere { 0, 1 } }\n";
+    try {
+        parse_block(deep);
+        ADD_FAILURE() << "no limit";
+    } catch (const LimitError& e) {
+        EXPECT_THAT(e.what(), HasSubstr("Parse Error: Sets of objects are nested more than 1000 deep."));
     }
 }
 

@@ -68,13 +68,17 @@ private:
     std::unordered_map<const void*, TextureLayers> made_;
 };
 
-void scale(Object& object, double factor) {
-    std::visit(ScaleShape{factor}, object.shape);
-    if (std::holds_alternative<Mesh>(object.shape) || std::holds_alternative<FurtherShape>(object.shape)) {
-        object.transform = object.transform.value_or(Transform{}).then(Transform::scale(Vec3(factor)));
-    } else if (object.transform) {
-        object.transform = between_scaled(*object.transform, factor);
+void scale(Shape& shape, std::optional<Transform>& transform, double factor) {
+    std::visit(ScaleShape{factor}, shape);
+    if (std::holds_alternative<Mesh>(shape) || std::holds_alternative<FurtherShape>(shape)) {
+        transform = transform.value_or(Transform{}).then(Transform::scale(Vec3(factor)));
+    } else if (transform) {
+        transform = between_scaled(*transform, factor);
     }
+}
+
+void scale(Object& object, double factor) {
+    scale(object.shape, object.transform, factor);
     if (object.interior && (*object.interior)->fade_distance != 0.0) object.interior->edit().fade_distance *= factor;
 }
 
@@ -107,6 +111,8 @@ Scene scaled(Scene scene, double factor) {
         textures.scale(object.texture);
         textures.scale(object.interior_texture);
     }
+    for (ObjectSet& set : scene.sets)
+        for (Solid& solid : set.solids) scale(solid.shape, solid.transform, factor);
     return scene;
 }
 

@@ -87,8 +87,8 @@ FAULTS = {
         [
             (
                 SURFACES,
-                "return intersect(placed.shape, [[placed.to_world.inverse_ray(ray)]],",
-                "Ray{placed.to_world.inverse_point(ray.origin), unit(placed.to_world.inverse_direction(ray.direction))}",
+                "return intersect(placed.shape, [[placed.to_world.inverse_ray(query.ray)]],",
+                "Ray{placed.to_world.inverse_point(query.ray.origin), unit(placed.to_world.inverse_direction(query.ray.direction))}",
             )
         ],
     ),

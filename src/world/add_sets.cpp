@@ -1,0 +1,97 @@
+// Sets of objects into the trees of `Surfaces`.
+
+#include "world/local_frame.h"
+#include "world/surfaces.h"
+
+namespace rt {
+
+namespace {
+
+double longest_side(const Bounds& b) { return max_component(b.max - b.min); }
+
+}  // namespace
+
+void Surfaces::add_set(const ObjectSet& set) {
+    const auto first_solid = static_cast<std::uint32_t>(objects.size());
+    for (const Solid& solid : set.solids) {
+        Object unseen;
+        unseen.shape = solid.shape;
+        unseen.transform = solid.transform;
+        unseen.inverse = solid.inverse;
+        add(unseen, 0);
+        objects.back().count = 0;
+    }
+    const std::size_t first = bodies.size();
+    add_bodies(set, first_solid);
+
+    double extent = 0.0;
+    for (std::size_t i = first; i < bodies.size(); ++i)
+        if (const Bounds& box = bodies[i].box; box.is_finite()) extent = std::fmax(extent, std::fmax(max_abs(box.min), max_abs(box.max)));
+    for (std::size_t i = first; i < bodies.size(); ++i)
+        if (bodies[i].kind == SetNode::Kind::surface) make_part(static_cast<std::uint32_t>(i), extent);
+}
+
+/// The nodes with their parents and the boxes around them; a box around shapes that are inverse is unbounded but for the shape's own.
+void Surfaces::add_bodies(const ObjectSet& set, std::uint32_t first_solid) {
+    const std::size_t first = bodies.size();
+    std::vector<std::uint32_t> open;
+    for (const SetNode& node : set.nodes) {
+        const auto at = static_cast<std::uint32_t>(bodies.size());
+        while (!open.empty() && bodies[open.back()].end <= at) open.pop_back();
+        Body body;
+        body.kind = node.kind;
+        body.parent = open.empty() ? Body::none : open.back();
+        body.end = at + node.size;
+        body.medium = node.medium;
+        if (node.kind == SetNode::Kind::surface || node.kind == SetNode::Kind::solid) {
+            body.object = (node.kind == SetNode::Kind::surface ? set.first_object : first_solid) + node.index;
+            // Of a disc the whole half space behind it is inside.
+            body.box = objects[body.object].kind == SurfaceKind::disc ? Bounds::everything() : shape_bounds(body.object);
+        } else {
+            body.box = node.kind == SetNode::Kind::all ? Bounds::everything() : Bounds{};
+            open.push_back(at);
+        }
+        bodies.push_back(body);
+    }
+    for (std::size_t i = bodies.size(); i-- > first;) {
+        const Body& body = bodies[i];
+        if (body.parent == Body::none) continue;
+        Bounds& whole = bodies[body.parent].box;
+        const Bounds box = around(static_cast<std::uint32_t>(i));
+        if (bodies[body.parent].kind == SetNode::Kind::all)
+            whole = common(whole, box);
+        else
+            whole.extend(box);
+    }
+}
+
+/// Box around all points that a body contains.
+Bounds Surfaces::around(std::uint32_t body) const {
+    const Body& b = bodies[body];
+    const bool shape = b.kind == SetNode::Kind::surface || b.kind == SetNode::Kind::solid;
+    return shape && objects[b.object].inverse ? Bounds::everything() : b.box;
+}
+
+void Surfaces::make_part(std::uint32_t body, double extent) {
+    Surface& s = objects[bodies[body].object];
+    Part part;
+    part.kind = s.kind;
+    part.sheet = s.is_triangles() || s.kind == SurfaceKind::polygon;
+    part.body = body;
+    part.extent = extent;
+    part.box = shape_bounds(bodies[body].object);
+    for (std::uint32_t whole = bodies[body].parent; whole != Body::none; whole = bodies[whole].parent)
+        part.box = common(part.box, bodies[whole].box);
+    // A hit may lie outside by as much as it may be wrong.
+    constexpr double margin = 0x1p-18;
+    if (part.box.is_empty()) s.count = 0;
+    if (part.box.is_finite()) {
+        part.size = longest_side(part.box);
+        part.box = grown(part.box, margin * part.size + 0x1p-40 * extent);
+    }
+    s.kind = s.is_triangles() ? SurfaceKind::part_triangles : SurfaceKind::part;
+    s.part = static_cast<std::uint32_t>(parts.size());
+    parts.push_back(part);
+}
+
+}  // namespace rt
