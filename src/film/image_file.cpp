@@ -186,6 +186,7 @@ StoredImage read_image(const std::string& path) {
     if (first == 0x89) return read_png(file.get(), path);
     if (first == 'P') return read_pnm(file.get(), path);
     StoredImage image;
+    if (first == 'G') image.kind = StoredImage::Kind::gif;
     const RaytraceSink sink{begin_picture, &image};
     if (const char* complaint = image_module().read(path.c_str(), &sink)) refuse(complaint);
     return image;

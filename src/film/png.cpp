@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csetjmp>
@@ -198,11 +199,40 @@ std::string png_of(const StoredImage& image) {
 
 namespace {
 
-/// Reads the header and asks for whole 8- or 16-bit channels without a palette.
+/// A palette as red, green, blue and alpha.
+using Palette = std::array<std::array<png_byte, 4>, 256>;
+
+Palette palette_of(const Reader& reader) {
+    Palette palette{};
+    png_colorp colors = nullptr;
+    png_bytep alphas = nullptr;
+    int count = 0, alpha_count = 0;
+    png_get_PLTE(reader.png, reader.info, &colors, &count);
+    png_get_tRNS(reader.png, reader.info, &alphas, &alpha_count, nullptr);
+    for (int i = 0; i < count; ++i)
+        palette[static_cast<std::size_t>(i)] = {colors[i].red, colors[i].green, colors[i].blue,
+                                                i < alpha_count ? alphas[i] : png_byte{255}};
+    return palette;
+}
+
+/// From the numbers of the palette's entries to colours; with alpha if any entry says so.
+void look_up(const Reader& reader, std::vector<png_byte> indices, StoredImage& image) {
+    const Palette palette = palette_of(reader);
+    image.channels = png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0 ? 4 : 3;
+    image.values.reserve(indices.size() * static_cast<std::size_t>(image.channels));
+    for (const png_byte index : indices)
+        image.values.insert(image.values.end(), palette[index].begin(), palette[index].begin() + image.channels);
+    image.indices = std::move(indices);
+}
+
+/// Reads the header and asks for whole 8- or 16-bit channels, or the numbers of a palette's entries.
 void read_header(const Reader& reader, std::FILE* file, StoredImage& image) {
     png_init_io(reader.png, file);
     png_read_info(reader.png, reader.info);
-    png_set_expand(reader.png);
+    if (png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_PALETTE)
+        png_set_packing(reader.png);
+    else
+        png_set_expand(reader.png);
     png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
     image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
@@ -222,6 +252,7 @@ StoredImage read_png(std::FILE* file, const std::string& path) {
     const auto refuse = [&](const char* why) { throw OptionError(fmt::format("Cannot read '{}': {}", path, why)); };
     if (!reader.info) refuse(std::strerror(ENOMEM));
     StoredImage image;
+    image.kind = StoredImage::Kind::png;
     if (!guarded(reader.png, [&] { read_header(reader, file, image); })) refuse(reader.complaint.text);
     const std::size_t row = static_cast<std::size_t>(image.width) * image.channels * (image.max_value == 255 ? 1 : 2);
     struct stat info {};
@@ -236,6 +267,10 @@ StoredImage read_png(std::FILE* file, const std::string& path) {
             png_read_end(reader.png, nullptr);
         }))
         refuse(reader.complaint.text);
+    if (png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_PALETTE) {
+        look_up(reader, std::move(bytes), image);
+        return image;
+    }
     image.values.reserve(static_cast<std::size_t>(image.width) * image.height * image.channels);
     if (image.max_value == 255) {
         image.values.assign(bytes.begin(), bytes.end());

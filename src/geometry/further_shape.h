@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "geometry/blob.h"
+#include "geometry/height_field.h"
 #include "geometry/lathe.h"
 #include "geometry/poly.h"
 #include "geometry/prism.h"
@@ -14,7 +15,7 @@
 
 namespace rt {
 
-using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid>;
+using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid, HeightField>;
 
 /// As a scene writes it.
 inline const char* name(const FurtherShape& shape) {
@@ -27,11 +28,18 @@ inline void find_hits(const FurtherShape& shape, const Ray& ray, HitSink& sink) 
 inline Vec3 normal(const FurtherShape& shape, const Vec3& point, const ShapeHit& hit) {
     return std::visit([&](const auto& one) { return normal(one, point, hit); }, shape);
 }
+/// The normal of the shape moved, at a point of its own space.
+inline Vec3 moved_normal(const FurtherShape& shape, const Transform& to_world, const Vec3& point, const ShapeHit& hit) {
+    if (const auto* field = std::get_if<HeightField>(&shape)) return moved_normal(*field, to_world, point, hit);
+    return to_world.normal(normal(shape, point, hit));
+}
 inline bool contains(const FurtherShape& shape, const Vec3& point) {
     return std::visit([&](const auto& one) { return contains(one, point); }, shape);
 }
 inline Bounds bounds(const FurtherShape& shape) {
     return std::visit([](const auto& one) { return bounds(one); }, shape);
 }
+/// Whether all that `contains` holds of is inside the bounds, which are those of the surface.
+inline bool bounds_hold_inside(const FurtherShape& shape) { return !std::holds_alternative<HeightField>(shape); }
 
 }  // namespace rt

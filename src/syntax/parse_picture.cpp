@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "patterns/density.h"
+#include "syntax/expression.h"
 #include "syntax/parameters.h"
 #include "syntax/picture.h"
 #include "syntax/unmodelled.h"
@@ -69,8 +70,8 @@ bool accept_item(Reader& reader, StatedPicture& picture) {
 
 void parse_gamma(Reader& reader, StatedPicture& picture) {
     if (!reader.accept(Word::gamma)) return;
-    if (reader.accept(Word::srgb)) return;
-    picture.gamma = reader.parse_float();
+    picture.srgb = reader.accept(Word::srgb);
+    if (!picture.srgb) picture.gamma = reader.parse_float();
 }
 
 PictureFile open_picture(Reader& reader, const Token& name) {
@@ -88,6 +89,16 @@ PictureFile open_picture(Reader& reader, const Token& name) {
 
 }  // namespace
 
+void parse_picture_file(Reader& reader, StatedPicture& picture) {
+    const bool typed = std::any_of(types.begin(), types.end(), [&](Word type) { return reader.accept(type); });
+    if (!typed && !at_string(reader)) reader.fail_expected("map file spec");
+    Token name = reader.peek();
+    const std::string text = reader.parse_string();
+    name.text = text;
+    picture.file = open_picture(reader, name);
+    parse_gamma(reader, picture);
+}
+
 StatedPicture parse_picture(Reader& reader, std::string_view word) {
     reader.begin_block(word);
     StatedPicture picture;
@@ -95,13 +106,7 @@ StatedPicture parse_picture(Reader& reader, std::string_view word) {
         reader.parse_vector();
         reader.warn(reader.peek().span, "Old style orientation vector or map type not supported. Ignoring value.");
     }
-    for (const Word type : types)
-        if (reader.accept(type)) break;
-    Token name = reader.peek();
-    const std::string text = reader.parse_string();
-    name.text = text;
-    picture.file = open_picture(reader, name);
-    parse_gamma(reader, picture);
+    parse_picture_file(reader, picture);
     while (accept_item(reader, picture)) continue;
     reader.end_block();
     return picture;

@@ -94,11 +94,15 @@ Number Expression::function_value(const Function& function, const Span& place) {
     if (function.source_nodes > 0) reader_.unmodelled(place, "a pattern's value while the scene is read");
     std::vector<double> arguments;
     while (arguments.size() < function.parameters) arguments.push_back(arguments.empty() ? sum_float() : next_float());
-    const std::uint64_t limit = state_.options.max_replayed_bytes;
+    return {{reader_.evaluate(function, arguments, place)}, 1, false};
+}
+
+double Reader::evaluate(const Function& function, std::span<const double> arguments, const Span& place) {
+    const std::uint64_t limit = state_->options.max_replayed_bytes;
     std::uint64_t left = limit;
     const std::optional<double> value = rt::evaluate(function, arguments, left);
-    state_.count_replay(place, limit - left + (value ? 0 : 1));
-    return {{value.value_or(0.0)}, 1, false};
+    state_->count_replay(place, limit - left + (value ? 0 : 1));
+    return value.value_or(0.0);
 }
 
 /// spline(t [, kind])

@@ -27,10 +27,13 @@ struct FrameValues {
 
 /// A picture as its file has it.
 struct PictureFile {
+    enum class Kind { png, gif, other };
     int width = 0, height = 0, channels = 0;  ///< 1..4 channels: grey, grey and alpha, RGB, RGB and alpha
     int max_value = 255;                      ///< of whole numbers; 0: floats, linear light
     std::vector<float> values;                ///< interleaved, row by row from the top
     std::optional<double> gamma;              ///< the exponent that decodes it, where the file says so; else sRGB's curve does
+    Kind kind = Kind::other;
+    std::vector<std::uint8_t> indices = {};  ///< of a PNG with a palette: the number of each pixel's entry
 };
 
 struct ParseOptions {

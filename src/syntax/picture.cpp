@@ -14,7 +14,9 @@ double decode_srgb(double v) { return v < 0.04045 ? v / 12.92 : std::pow((v + 0.
 class Decoder {
 public:
     Decoder(const StatedPicture& picture, const Gamma& working)
-        : working_(working), stated_(picture.gamma ? picture.gamma : picture.file.gamma), linear_(picture.file.max_value == 0) {}
+        : working_(working),
+          stated_(picture.gamma || picture.srgb ? picture.gamma : picture.file.gamma),
+          linear_(picture.file.max_value == 0) {}
 
     double operator()(double v) const {
         if (working_.kind == Gamma::Kind::legacy) return v;
@@ -33,8 +35,8 @@ private:
     bool linear_;
 };
 
-/// Grey pictures of eight bits are kept as bytes, rounded down after decoding: as POV-Ray does.
-bool is_byte_grey(const PictureFile& file) { return file.channels == 1 && file.max_value == 255; }
+/// PNGs of up to eight bits of grey are kept as bytes, rounded down after decoding: as POV-Ray does.
+bool is_byte_grey(const PictureFile& file) { return file.kind == PictureFile::Kind::png && file.channels == 1 && file.max_value == 255; }
 
 float kept_as_byte(double grey) {
     const auto q = static_cast<float>(grey);
@@ -69,18 +71,59 @@ ColorImage colors_of(const StatedPicture& picture, const Gamma& working) {
     return image;
 }
 
+namespace {
+
+/// What the file has as numbers is taken as it is, but where the scene says how to decode it.
+double number_of(const StatedPicture& picture, double v) {
+    return picture.srgb ? decode_srgb(v) : picture.gamma ? std::pow(v, *picture.gamma) : v;
+}
+
+}  // namespace
+
 ValueGrid values_of(const StatedPicture& picture) {
     const PictureFile& file = picture.file;
     ValueGrid grid{file.width, file.height, 1, {}};
     const auto size = static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.height);
     grid.values.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
-        auto [r, g, b, alpha] = channels_of(file, i);
-        if (picture.gamma) r = std::pow(r, *picture.gamma), g = std::pow(g, *picture.gamma), b = std::pow(b, *picture.gamma);
-        const float grey = red_share * static_cast<float>(r) + green_share * static_cast<float>(g) + blue_share * static_cast<float>(b);
-        grid.values.push_back(picture.use_alpha ? static_cast<float>(alpha) : is_byte_grey(file) ? kept_as_byte(r) : grey);
+        const auto [r, g, b, alpha] = channels_of(file, i);
+        const auto [red, green, blue] = std::array{number_of(picture, r), number_of(picture, g), number_of(picture, b)};
+        // Not weighed where there is one channel: the weights add up to a little less than 1.
+        const float grey = file.channels < 3 ? static_cast<float>(red)
+                                             : red_share * static_cast<float>(red) + green_share * static_cast<float>(green) +
+                                                   blue_share * static_cast<float>(blue);
+        grid.values.push_back(picture.use_alpha ? static_cast<float>(alpha) : is_byte_grey(file) ? kept_as_byte(red) : grey);
     }
     return grid;
+}
+
+namespace {
+
+/// Of a colour of eight bits POV-Ray takes red for the high byte of the height and green for the low one.
+float height_in_bytes(const StatedPicture& picture, std::size_t texel) {
+    const auto [r, g, b, alpha] = channels_of(picture.file, texel);
+    return static_cast<float>(255.0 * (256.0 * number_of(picture, r) + number_of(picture, g)));
+}
+
+}  // namespace
+
+HeightFieldData heights_of(const StatedPicture& picture) {
+    const PictureFile& file = picture.file;
+    const auto columns = static_cast<std::uint32_t>(file.width), rows = static_cast<std::uint32_t>(file.height);
+    const bool in_bytes = file.channels >= 3 && file.max_value == 255, by_index = !file.indices.empty();
+    const ValueGrid grey = in_bytes ? ValueGrid{} : values_of(picture);
+    std::vector<std::uint16_t> heights;
+    heights.reserve(std::size_t{columns} * rows);
+    for (std::uint32_t j = rows; j-- > 0;) {
+        for (std::uint32_t i = 0; i < columns; ++i) {
+            const std::size_t texel = std::size_t{j} * columns + i;
+            const float height = by_index   ? 256.0F * file.indices[texel]
+                                 : in_bytes ? height_in_bytes(picture, texel)
+                                            : 65535.0F * grey.values[texel];
+            heights.push_back(static_cast<std::uint16_t>(std::clamp(height, 0.0F, 65535.0F)));
+        }
+    }
+    return {columns, rows, std::move(heights)};
 }
 
 }  // namespace rt

@@ -31,6 +31,13 @@ void Surfaces::add_set(const ObjectSet& set) {
         if (bodies[i].kind == SetNode::Kind::surface) make_part(static_cast<std::uint32_t>(i), extent);
 }
 
+/// Whether the box around a surface is around what is inside as well: not of a disc, whose whole half space counts, nor of a field.
+bool Surfaces::holds_its_inside(std::uint32_t object) const {
+    const Surface& s = objects[object];
+    if (s.kind == SurfaceKind::further) return bounds_hold_inside(further[s.first].shape);
+    return s.kind != SurfaceKind::disc;
+}
+
 /// The nodes with their parents and the boxes around them; a box around shapes that are inverse is unbounded but for the shape's own.
 void Surfaces::add_bodies(const ObjectSet& set, std::uint32_t first_solid) {
     const std::size_t first = bodies.size();
@@ -45,8 +52,7 @@ void Surfaces::add_bodies(const ObjectSet& set, std::uint32_t first_solid) {
         body.medium = node.medium;
         if (node.kind == SetNode::Kind::surface || node.kind == SetNode::Kind::solid) {
             body.object = (node.kind == SetNode::Kind::surface ? set.first_object : first_solid) + node.index;
-            // Of a disc the whole half space behind it is inside.
-            body.box = objects[body.object].kind == SurfaceKind::disc ? Bounds::everything() : shape_bounds(body.object);
+            body.box = holds_its_inside(body.object) ? shape_bounds(body.object) : Bounds::everything();
         } else {
             body.box = node.kind == SetNode::Kind::all ? Bounds::everything() : Bounds{};
             open.push_back(at);

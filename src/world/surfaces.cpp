@@ -17,7 +17,9 @@ bool intersect_placed(const Placed<S>& placed, const Query& query, ShapeHit& hit
 template <typename S>
 Vec3 normal_placed(const Placed<S>& placed, const Vec3& point, const ShapeHit& hit) {
     if (!placed.moved) return normal(placed.shape, point, hit);
-    return placed.to_world.normal(normal(placed.shape, placed.to_world.inverse_point(point), hit));
+    const Vec3 own_point = placed.to_world.inverse_point(point);
+    if constexpr (std::is_same_v<S, FurtherShape>) return moved_normal(placed.shape, placed.to_world, own_point, hit);
+    return placed.to_world.normal(normal(placed.shape, own_point, hit));
 }
 
 template <typename S>

@@ -190,6 +190,7 @@ private:
     void make_part(std::uint32_t body, double extent);
     Bounds around(std::uint32_t body) const;
     Bounds shape_bounds(std::uint32_t object) const;
+    bool holds_its_inside(std::uint32_t object) const;
     bool test_faces(const Surface& s, Query& query) const;
     bool test_part(std::uint32_t object, Query& query) const;
     bool counts(const Part& part, const Query& query, double t, const Vec3& normal) const;

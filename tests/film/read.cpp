@@ -88,6 +88,8 @@ TEST_F(Reading, Palettes) {
     const StoredImage plain = png(3, 2, PNG_COLOR_TYPE_PALETTE, {0b00110100});
     EXPECT_EQ(plain.channels, 3);
     EXPECT_THAT(plain.values, ElementsAre(10, 20, 30, 255, 0, 128, 40, 50, 60));
+    EXPECT_EQ(plain.kind, StoredImage::Kind::png);
+    EXPECT_THAT(plain.indices, ElementsAre(0, 3, 1));
     const StoredImage clear = png(2, 8, PNG_COLOR_TYPE_PALETTE, {1, 2}, PNG_INTERLACE_NONE, true);
     EXPECT_THAT(clear.values, ElementsAre(40, 50, 60, 128, 70, 80, 90, 255));
 }

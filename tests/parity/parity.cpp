@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "commands/job/picture_files.h"
 #include "film/image_file.h"
 #include "syntax/parser.h"
 #include "trace/camera.h"
@@ -58,11 +59,7 @@ Parity compare_with_povray(const std::string& scene_path, const std::string& pic
     parse.image_width = picture.width;
     parse.image_height = picture.height;
     parse.library_paths = options.library_paths;
-    parse.read_picture = [](const std::string& path) -> std::optional<PictureFile> {
-        if (!std::filesystem::is_regular_file(path)) return std::nullopt;
-        StoredImage image = read_image(path);
-        return PictureFile{image.width, image.height, image.channels, image.max_value, std::move(image.values), image.gamma};
-    };
+    parse.read_picture = read_picture_file;
     const Scene scene = parse_file(scene_path, parse, silent);
     const World world = compile(scene, {}, silent);
 

@@ -245,6 +245,13 @@ TEST(Sets, PartsReachNoFartherThanTheOthers) {
     EXPECT_EQ(surfaces.objects[2].count, 0u) << "no piece of it can be seen, so no index has it";
 }
 
+TEST(Sets, BelowAHeightFieldIsItsInside) {
+    HeightField flat;
+    flat.data = HeightFieldData(2, 2, {100, 100, 100, 100});
+    const World world = compiled(scene_of(Kind::all, {body(Box{Vec3(0.2, -3, 0.2), Vec3(0.8, 1, 0.8)}), body(FurtherShape(flat))}));
+    EXPECT_EQ(hits_of(world, {Vec3(0.5, 2, 0.5), Vec3(0, -1, 0)}), (std::vector<double>{2.0 - 0x64p-16, 5.0}));
+}
+
 TEST(Sets, InsideIsInsideOfTheWhole) {
     const Scene scene = scene_of(Kind::all, {body(Sphere{Vec3(0.0), 1.0}), body(Sphere{Vec3(1, 0, 0), 1.0}, true)});
     Surfaces surfaces;

@@ -10,7 +10,11 @@ std::optional<PictureFile> read_picture_file(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
     StoredImage image = read_image(path);
-    return PictureFile{image.width, image.height, image.channels, image.max_value, std::move(image.values), image.gamma};
+    const auto kind = image.kind == StoredImage::Kind::png   ? PictureFile::Kind::png
+                      : image.kind == StoredImage::Kind::gif ? PictureFile::Kind::gif
+                                                             : PictureFile::Kind::other;
+    return PictureFile{image.width, image.height, image.channels,          image.max_value, std::move(image.values),
+                       image.gamma, kind,         std::move(image.indices)};
 }
 
 }  // namespace rt
