@@ -24,7 +24,7 @@ POVRAY_RATIO = (POVRAY, "surface.at.direction), [[surface.crossing.ratio]]);")
 FURTHER_OFFSET = (COURSE, "point.at + [[CourseRules::offset]] * direction, direction},\n              .kind = mirror ?")
 SHADOW_OFFSET = (COURSE, "start = point.at + [[CourseRules::offset]] * point.side;")
 LEAVE = (DISTANCES, "return [[at.point + (dot(at.side, direction) < 0.0 ? -at.error : at.error) * at.side]];")
-PLACED_NORMAL = (SURFACES, "return [[placed.to_world.normal(normal(placed.shape, placed.to_world.inverse_point(point), hit))]];")
+PLACED_NORMAL = (SURFACES, "return [[placed.to_world.normal(normal(placed.shape, own_point, hit))]];")
 COURSE_LOBE = (COURSE, ": [[course::blinn_phong(dot(point.normal, course::half_vector(l, point.to_viewer)), surface.roughness)]];")
 POVRAY_N_DOT_H = (LIGHTING, "specular_lobe([[dot(half, view.at.normal) / size]], ")
 DEPTH = (COURSE, "path.level < [[rules_.further_rays]]")
@@ -57,11 +57,11 @@ FAULTS = {
     ),
     "normal_by_matrix": (
         "normals are transformed like directions, not by the inverse transpose",
-        [(*PLACED_NORMAL, "placed.to_world.direction(normal(placed.shape, placed.to_world.inverse_point(point), hit))")],
+        [(*PLACED_NORMAL, "placed.to_world.direction(normal(placed.shape, own_point, hit))")],
     ),
     "normal_in_object_space": (
         "normals stay in the object's own space",
-        [(*PLACED_NORMAL, "normal(placed.shape, placed.to_world.inverse_point(point), hit)")],
+        [(*PLACED_NORMAL, "normal(placed.shape, own_point, hit)")],
     ),
     "normal_unnormalised": (
         "the normals of transformed objects and triangles have any length",
