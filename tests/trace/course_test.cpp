@@ -305,7 +305,7 @@ TEST(CourseIndirect, IsTheSameForAnyThreadsAndRegion) {
                          object(floor_plane(), texture(color(Rgb(0.9)), plain(Rgb(0.0), 0.8)))},
                         {point_light({5, 5, -5})}),
              by(rules));
-    t.world->camera = {false, {0, 2, -6}, {0, -0.1, 1}, {1.2, 0, 0}, {0, 0.9, 0}};
+    t.world->camera = {Projection::perspective, {0, 2, -6}, {0, -0.1, 1}, {1.2, 0, 0}, {0, 0.9, 0}};
     RenderOptions options;
     options.width = 24, options.height = 18, options.threads = 1, options.trace = by(rules);
     const Film whole = render(*t.world, options).film;
@@ -319,7 +319,7 @@ TEST(CourseIndirect, IsTheSameForAnyThreadsAndRegion) {
 
 TEST(CoursePixel, HasATreeForEachSampleOfItsGrid) {
     Traced t(scene_with({object(Sphere{Vec3(0.0), 1}, texture(color(Rgb(1.0)), plain(Rgb(0.2), 0.8)))}, {point_light({5, 5, -5})}), by());
-    t.world->camera = {false, {0, 0, -3}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+    t.world->camera = {Projection::perspective, {0, 0, -3}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
     RenderOptions options;
     options.width = options.height = 8;
     options.trace = by();

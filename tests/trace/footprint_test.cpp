@@ -18,7 +18,7 @@ public:
         shiny.specular = 0.5;
         const Scene scene = scene_with({object(std::move(shape), texture(color(Rgb(1.0)), shiny))});
         world_ = std::make_unique<World>(compile(scene, {}, [](std::string_view) {}));
-        world_->camera = {true, {0, 0, -10}, {0, 0, 1}, {4, 0, 0}, {0, 3, 0}};
+        world_->camera = {Projection::orthographic, {0, 0, -10}, {0, 0, 1}, {4, 0, 0}, {0, 3, 0}};
         rules_ = std::make_unique<DistanceRules>(Distances::scaled, world_->scene_extent, world_->scene_size);
         footprints_ = std::make_unique<Footprints>(*world_, *rules_, SampleGrid{40, 30});
     }

@@ -114,6 +114,29 @@ TEST(Transparency, conserve_energy_dims_only_what_is_transmitted) {
     EXPECT_RGB_NEAR(t.look({0, 1, 0}, {0, -1, 0}).rgb, 0.4 * sky + 0.5 * 0.6 * sky, 1e-12);
 }
 
+TEST(Transparency, a_negative_transmit_subtracts_what_lies_behind) {
+    Traced t(scene_with({object(floor_plane(), texture(color(Rgb(0.25), 0.0, -1.0), plain(Rgb(1.0))))}, {}, sky));
+    EXPECT_RGB_NEAR(t.look({0, 1, 0}, {0, -1, 0}).rgb, 2.0 * Rgb(0.25) - sky, 1e-12);
+}
+
+TEST(Visibility, a_camera_that_sees_nothing_there_is_black_and_clear) {
+    Scene scene = scene_with({object(floor_plane(), texture(color(Rgb(0.25)), plain(Rgb(1.0))))}, {}, sky);
+    scene.camera.projection = Projection::fisheye;
+    Traced t(scene);
+    const Radiance corner = t.pixel(0, 0, 16, 16), middle = t.pixel(8, 8, 16, 16);
+    EXPECT_EQ(corner.rgb, Rgb(0.0));
+    EXPECT_EQ(corner.transmittance, 1.0);
+    EXPECT_NE(middle.rgb, Rgb(0.0));
+    RayLog log;
+    t.tracer->camera_ray(camera_ray(t.world->camera, 0.5, 0.5, 16, 16), log);
+    EXPECT_EQ(log.nodes.size(), 1u);
+    std::array<Ray, 2> rays{camera_ray(t.world->camera, 0.5, 0.5, 16, 16), camera_ray(t.world->camera, 8.5, 8.5, 16, 16)};
+    std::array<Radiance, 2> light;
+    t.tracer->camera_rays(rays, light);
+    EXPECT_EQ(light[0].transmittance, 1.0);
+    EXPECT_EQ(light[1].rgb, middle.rgb);
+}
+
 TEST(Refraction, a_slab_shifts_the_ray_and_a_prism_bends_it) {
     // Below the slab lies a checkered floor: the cell that is met tells where the ray came out.
     Interior glass;

@@ -220,7 +220,8 @@ TEST_F(CourseProgram, WhatItsRulesCannotShowIsRefusedWithItsPlace) {
     EXPECT_EQ(error("light_source { 0, rgb 1 shadowless }"), begin + "A lamp without shadows" + end);
     EXPECT_EQ(error("light_source { 0, rgb 1 area_light x, y, 2, 2 }"), begin + "An area light" + end);
     EXPECT_EQ(error("light_source { 0, rgb 1 fade_distance 2 fade_power 2 }"), begin + "A lamp that fades" + end);
-    EXPECT_EQ(error("camera { orthographic }"), begin + "An orthographic camera" + end);
+    EXPECT_EQ(error("camera { orthographic }"), begin + "A camera of the type 'orthographic'" + end);
+    EXPECT_EQ(error("camera { cylinder 2 }"), begin + "A camera of the type 'cylinder 2'" + end);
     EXPECT_EQ(error("sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.5> } }"), begin + "'transmit'" + end);
     EXPECT_EQ(error("sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { rgb 1 } } }"),
               begin + "A texture of several layers" + end);
