@@ -104,6 +104,9 @@ TEST(DeclaredFunction, AsksPigmentsAndPatterns) {
     for (int i = 1; i < 20; ++i)
         scene += fmt::format("#declare F{}=function{{pigment{{function{{F{}(x,y,z).x+F{}(y,x,z).x}}}}}}\n", i, i - 1, i - 1);
     EXPECT_TRUE(read_scene(scene).limit);
+    scene = "#declare P=function{pigment{rgb 1}} #declare F0=function{P(x,y,z).x}\n";
+    for (int i = 1; i < 20; ++i) scene += fmt::format("#declare F{}=function{{F{}(x,y,z)+F{}(y,x,z)}}\n", i, i - 1, i - 1);
+    EXPECT_TRUE(read_scene(scene).limit);
 }
 
 TEST(DeclaredFunction, EndlessAndDoublingOnesEnd) {
