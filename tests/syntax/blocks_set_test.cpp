@@ -128,6 +128,8 @@ TEST(Sets, OfUvMappingASurfaceTakesItsCoordinatesAlong) {
         "union { sphere { 0, 1 uv_mapping pigment { checker rgb 0 rgb 1 } } sphere { 0, 1 pigment { checker rgb 0 rgb 1 } } translate x }");
     EXPECT_EQ(moved(layer(scene.objects[0]).pigment, Vec3(0.0)), Vec3(0, 0, 0));
     EXPECT_EQ(moved(layer(scene.objects[1]).pigment, Vec3(0.0)), Vec3(1, 0, 0));
+    EXPECT_EQ(parse_block("union { sphere { 0, 1 } box { 0, 1 } pigment { rgb 1 } uv_mapping }").error,
+              "uv_mapping must be specified before texture.");
 }
 
 TEST(Sets, PartsWithOneTextureShareItWhenTheyAreMoved) {

@@ -7,7 +7,7 @@
 
 #include "geometry/hits.h"
 #include "tests/world/random_scene.h"
-#include "world/surfaces.h"
+#include "world/surface_index.h"
 
 namespace rt {
 namespace {
@@ -292,6 +292,7 @@ TEST(Sets, AClipCutsAndIsNotSeen) {
     EXPECT_EQ(hits_of(world, {Vec3(-5, 0, 0), Vec3(1, 0, 0)}), (std::vector<double>{4.0}));
     EXPECT_EQ(hits_of(world, {Vec3(-0.5, 0, -5), Vec3(0, 0, 1)}).size(), 2u);
     EXPECT_EQ(hits_of(world, {Vec3(0.5, 0, -5), Vec3(0, 0, 1)}).size(), 0u);
+    EXPECT_EQ(world.surfaces->listed().size(), 1u) << "no ray asks for what clips";
 }
 
 /// However many of its parts it stands in, the camera is in a set once, with the interior that is stated of the whole.
@@ -306,6 +307,7 @@ TEST(Sets, ACameraInsideIsInsideOnce) {
     std::get<PlainTexture>(glass.content).pigment.content = PigmentColor{Rgb(1.0), 1.0, 0.0};
     for (Object& object : scene.objects) object.texture = TextureLayers(std::vector<Texture>{glass});
     const World inside = compiled(scene);
+    EXPECT_EQ(inside.objects[0].interior, inside.objects[1].interior) << "one medium";
     ASSERT_EQ(inside.camera_interiors.size(), 1u);
     EXPECT_EQ(inside.interiors[inside.camera_interiors[0]].ior, 1.5);
     scene.camera.location = Vec3(0, 0, -7);
