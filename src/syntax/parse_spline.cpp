@@ -80,7 +80,7 @@ Number Expression::call() {
         const Vec3 moved = transform->point({x, y, z});
         result = {{moved.x, moved.y, moved.z}, 3, false};
     } else if (std::holds_alternative<PigmentFunction>(value)) {
-        reader_.unmodelled(place, "a pigment's colour while the scene is read");
+        reader_.unmodelled(place, "a pigment's colour while reading");
         skip_arguments();
         return {{}, 5, false};
     } else {
@@ -91,7 +91,7 @@ Number Expression::call() {
 }
 
 Number Expression::function_value(const Function& function, const Span& place) {
-    if (function.source_nodes > 0) reader_.unmodelled(place, "a pattern's value while the scene is read");
+    if (function.source_nodes > 0) reader_.unmodelled(place, "a pattern's value while reading");
     std::vector<double> arguments;
     while (arguments.size() < function.parameters) arguments.push_back(arguments.empty() ? sum_float() : next_float());
     return {{reader_.evaluate(function, arguments, place)}, 1, false};

@@ -152,7 +152,7 @@ TEST(Declare, WithoutSemicolonsOldScenesAreReadAsTheyWereMeant) {
 TEST(Declare, WhatIsNotModelledIsReportedWhereItIsUsed) {
     const std::string unused = "#declare F = function { pattern { agate } } #declare T = density { planar } ";
     EXPECT_EQ(read_scene(unused + "sphere { 0, 1 }").error, "");
-    EXPECT_EQ(error_text(unused + "sphere { 0, F(1,2,3) }"), "'a pattern's value while the scene is read' is not modelled.");
+    EXPECT_EQ(error_text(unused + "sphere { 0, F(1,2,3) }"), "'a pattern's value while reading' is not modelled.");
     EXPECT_EQ(read_scene("#declare B = julia_fractal { }\n#declare C = B\nobject { C }").error,
               "File 't.pov' line 1: Parse Error: 'julia_fractal' is not modelled.\n"
               "   1 | #declare B = julia_fractal { }\n"
