@@ -10,12 +10,13 @@
 #include "geometry/prism.h"
 #include "geometry/quadric.h"
 #include "geometry/sor.h"
+#include "geometry/sphere_sweep.h"
 #include "geometry/superellipsoid.h"
 #include "geometry/text.h"
 
 namespace rt {
 
-using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid, HeightField>;
+using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid, HeightField, SphereSweep>;
 
 /// As a scene writes it.
 inline const char* name(const FurtherShape& shape) {
