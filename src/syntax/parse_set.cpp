@@ -191,7 +191,7 @@ void warn_of_bound(Reader& reader, const Draft& draft) {
     if (draft.set->kind == Kind::union_) reader.warn(reader.peek().span, "CSG union unnecessarily bounded.");
 }
 
-bool accept_set_modifier(Reader& reader, Draft& draft) {
+[[gnu::noinline]] bool accept_set_modifier(Reader& reader, Draft& draft) {
     const Token next = reader.peek();
     const Kind kind = draft.set ? draft.set->kind : Kind::clipped_shape;
     if (next.is(Word::clipped_by)) {
@@ -213,7 +213,7 @@ bool accept_set_modifier(Reader& reader, Draft& draft) {
     return true;
 }
 
-std::optional<ObjectValue> accept_set(Reader& reader) {
+[[gnu::noinline]] std::optional<ObjectValue> accept_set(Reader& reader) {
     const Token next = reader.peek();
     const std::optional<Kind> kind = set_kind(next);
     if (!kind) return std::nullopt;

@@ -62,7 +62,7 @@ bool Surfaces::test(std::uint32_t object, Query& query) const {
     if (!(s.seen & query.seen)) return false;
     if (s.kind >= SurfaceKind::part) return s.kind == SurfaceKind::part ? test_part(object, query) : test_faces(s, query);
     ShapeHit hit;
-    const bool met = visit_shape(*this, s, [&](const auto& shape) {
+    const bool met = visit_shape(*this, s.kind, s.first, [&](const auto& shape) {
         if constexpr (is_placed<std::decay_t<decltype(shape)>>)
             return intersect_placed(shape, query, hit);
         else

@@ -57,28 +57,32 @@ inline bool test_body(const IndexData& data, Traveller& ray, unsigned index, flo
 
 /// Tests the triangles of some lanes in doubles until one is met, or all of them. Kept out of the callbacks: most blocks are dropped there,
 /// and they should not pay for the registers that this needs.
-template <bool (Surfaces::*test)(std::uint32_t, Query&) const>
+template <bool of_part>
 [[gnu::noinline]] bool test_lanes(const IndexData& data, const TriangleBlock& block, std::uint32_t lanes, Query& query, bool any) {
     bool met = false;
     for (; lanes != 0 && !(met && any); lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-        if (block.seen[lane] & query.seen) met |= (data.surfaces.*test)(block.face[lane], query);
+        if (!(block.seen[lane] & query.seen)) continue;
+        if constexpr (of_part)
+            met |= data.surfaces.test_part_face(block.face[lane], query);
+        else
+            met |= data.surfaces.test_face(block.face[lane], query);
     }
     return met;
 }
 
-template <bool (Surfaces::*test)(std::uint32_t, Query&) const>
+template <bool of_part>
 bool test_lanes_met(const IndexData& data, Traveller& ray, const TriangleBlock& block, float far, bool any) {
     const std::uint32_t lanes = lanes_met(block, ray.block_ray(), far);
-    return lanes != 0 && test_lanes<test>(data, block, lanes, ray.query, any);
+    return lanes != 0 && test_lanes<of_part>(data, block, lanes, ray.query, any);
 }
 
 inline bool test_block(const IndexData& data, Traveller& ray, unsigned index, float far, bool any) {
-    return test_lanes_met<&Surfaces::test_face>(data, ray, data.blocks[index], far, any);
+    return test_lanes_met<false>(data, ray, data.blocks[index], far, any);
 }
 
 inline bool test_part_block(const IndexData& data, Traveller& ray, unsigned index, float far, bool any) {
-    return test_lanes_met<&Surfaces::test_part_face>(data, ray, data.part_blocks[index], far, any);
+    return test_lanes_met<true>(data, ray, data.part_blocks[index], far, any);
 }
 
 }  // namespace rt

@@ -7,38 +7,40 @@
 
 namespace rt {
 
-/// Calls `f` with the shape behind a surface that is not made of triangles.
+/// Calls `f` with shape number `first` of a kind that is neither triangles nor a part.
 template <typename F>
-auto visit_shape(const Surfaces& all, const Surface& s, F f) {
-    switch (s.kind) {
+auto visit_shape(const Surfaces& all, SurfaceKind kind, std::uint32_t first, F f) {
+    switch (kind) {
         case SurfaceKind::sphere:
-            return f(all.spheres[s.first]);
+            return f(all.spheres[first]);
         case SurfaceKind::plane:
-            return f(all.planes[s.first]);
+            return f(all.planes[first]);
         case SurfaceKind::placed_sphere:
-            return f(all.placed_spheres[s.first]);
+            return f(all.placed_spheres[first]);
         case SurfaceKind::box:
-            return f(all.boxes[s.first]);
+            return f(all.boxes[first]);
         case SurfaceKind::cone:
-            return f(all.cones[s.first]);
+            return f(all.cones[first]);
         case SurfaceKind::torus:
-            return f(all.toruses[s.first]);
+            return f(all.toruses[first]);
         case SurfaceKind::disc:
-            return f(all.discs[s.first]);
+            return f(all.discs[first]);
         case SurfaceKind::polygon:
-            return f(all.polygons[s.first]);
+            return f(all.polygons[first]);
         case SurfaceKind::further:
-            return f(all.further[s.first]);
-        case SurfaceKind::part: {
-            Surface shape = s;
-            shape.kind = all.parts[s.part].kind;
-            return visit_shape(all, shape, f);
-        }
+            return f(all.further[first]);
+        case SurfaceKind::part:
         case SurfaceKind::triangles:
         case SurfaceKind::part_triangles:
             break;
     }
     throw std::logic_error("triangles are visited face by face");
+}
+
+/// Calls `f` with the shape behind a surface that is not made of triangles.
+template <typename F>
+auto visit_shape(const Surfaces& all, const Surface& s, F f) {
+    return visit_shape(all, s.kind == SurfaceKind::part ? all.parts[s.part].kind : s.kind, s.first, f);
 }
 
 template <typename T>
