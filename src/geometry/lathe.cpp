@@ -124,6 +124,11 @@ Vec3 normal(const Lathe& shape, const Vec3& point, const ShapeHit& hit) {
     return {along.y * point.x / radius, -along.x, along.y * point.z / radius};
 }
 
+double along_curve(const Lathe& shape, const ShapeHit& hit) {
+    const double share = (hit.part + hit.u) / static_cast<double>(shape.curve->pieces.size());
+    return shape.turned ? 1.0 - share : share;
+}
+
 bool contains(const Lathe& shape, const Vec3& point) { return shape.curve->contains({std::hypot(point.x, point.z), point.y}); }
 
 Bounds bounds(const Lathe& shape) {

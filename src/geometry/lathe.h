@@ -8,6 +8,7 @@ namespace rt {
 
 struct Lathe {
     Shared<Outline> curve;  ///< in (radius, y); need not be closed
+    bool turned = false;    ///< its pieces are in the other order than stated
     static constexpr const char* word = "lathe";
     bool operator==(const Lathe&) const = default;
 };
@@ -16,6 +17,8 @@ struct Lathe {
 /// exact as the curve's points; only where a ray within 1e-5 of horizontal touches a rim that is horizontal as well may two be lost.
 void find_hits(const Lathe& shape, const Ray& ray, HitSink& sink);
 Vec3 normal(const Lathe& shape, const Vec3& point, const ShapeHit& hit);
+/// The share of the stated curve before a hit, all pieces counting alike.
+double along_curve(const Lathe& shape, const ShapeHit& hit);
 /// By how often the curve is crossed on the way out at the point's height.
 bool contains(const Lathe& shape, const Vec3& point);
 Bounds bounds(const Lathe& shape);

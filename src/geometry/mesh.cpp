@@ -9,4 +9,10 @@ Bounds bounds(const Mesh& shape) {
     return b;
 }
 
+Vec2 uv(const MeshData& mesh, std::size_t face, const ShapeHit& hit) {
+    if (mesh.uv_faces.empty() || mesh.uv_faces[face][0] == MeshData::flat) return Vec2(0.0);
+    const MeshData::Face& f = mesh.uv_faces[face];
+    return (1.0 - hit.u - hit.v) * mesh.uvs[f[0]] + hit.u * mesh.uvs[f[1]] + hit.v * mesh.uvs[f[2]];
+}
+
 }  // namespace rt

@@ -7,6 +7,7 @@
 
 #include "core/ray.h"
 #include "core/shared.h"
+#include "geometry/hit.h"
 
 namespace rt {
 
@@ -18,6 +19,9 @@ struct MeshData {
     /// Empty, or one entry a face: indices into normals; a face of three equal `flat` entries has its own flat normal.
     std::vector<Face> normal_faces;
     static constexpr std::uint32_t flat = 0xffffffffu;
+    std::vector<Vec2> uvs;  ///< of corners, for textures that are seen at (u, v, 0)
+    /// Empty, or one entry a face: indices into uvs; a face of three equal `flat` entries has none, and is (0, 0).
+    std::vector<Face> uv_faces;
     bool operator==(const MeshData&) const = default;
 };
 
@@ -26,6 +30,9 @@ struct Mesh {
     Shared<MeshData> data;
     bool operator==(const Mesh&) const = default;
 };
+
+/// (u, v) at a hit on face number `face`, u and v of the hit being the weights of its second and third corner.
+Vec2 uv(const MeshData& mesh, std::size_t face, const ShapeHit& hit);
 
 inline bool contains(const Mesh&, const Vec3&) { return false; }
 Bounds bounds(const Mesh& shape);

@@ -86,6 +86,12 @@ Vec3 normal(const Sor& shape, const Vec3& point, const ShapeHit& hit) {
     return {point.x, -0.5 * slope_at(slice.radius2, (point.y - slice.low) / height) / height, point.z};
 }
 
+double along_curve(const Sor& shape, const Vec3& point, const ShapeHit& hit) {
+    if (hit.part < 2) return hit.part;
+    const SorSlice& slice = (*shape.slices)[hit.part - 2];
+    return (hit.part - 2 + (point.y - slice.low) / (slice.high - slice.low)) / static_cast<double>(shape.slices->size());
+}
+
 bool contains(const Sor& shape, const Vec3& point) {
     for (const SorSlice& slice : *shape.slices)
         if (point.y > slice.low && point.y <= slice.high)

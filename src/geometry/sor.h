@@ -26,6 +26,8 @@ struct Sor {
 /// Part 0 is the lower disc, 1 the upper one, 2 + i the side of slice i.
 void find_hits(const Sor& shape, const Ray& ray, HitSink& sink);
 Vec3 normal(const Sor& shape, const Vec3& point, const ShapeHit& hit);
+/// The share of the curve below a hit, all slices counting alike.
+double along_curve(const Sor& shape, const Vec3& point, const ShapeHit& hit);
 /// An open one is closed by its discs here.
 bool contains(const Sor& shape, const Vec3& point);
 Bounds bounds(const Sor& shape);

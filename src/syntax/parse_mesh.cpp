@@ -1,4 +1,7 @@
 // mesh { } : triangles one by one.
+#include <array>
+#include <optional>
+
 #include "syntax/parse_shape.h"
 #include "syntax/unmodelled.h"
 
@@ -10,6 +13,8 @@ struct Corner {
     Vec3 point;
     Vec3 normal{0.0};
 };
+
+constexpr MeshData::Face none{MeshData::flat, MeshData::flat, MeshData::flat};
 
 Corner parse_corner(Reader& reader, bool smooth) {
     Corner corner;
@@ -25,34 +30,44 @@ Corner parse_corner(Reader& reader, bool smooth) {
     return corner;
 }
 
-/// Texture coordinates only matter to patterns over them, which are reported where they are asked for.
-void skip_triangle_extras(Reader& reader) {
-    if (reader.accept(Word::uv_vectors)) {
-        for (int i = 0; i < 3; ++i) {
-            reader.parse_vector2();
-            if (i != 2) reader.accept_comma();
-        }
+using CornerUvs = std::array<Vec2, 3>;
+
+std::optional<CornerUvs> accept_uvs(Reader& reader) {
+    if (!reader.accept(Word::uv_vectors)) return std::nullopt;
+    CornerUvs uvs;
+    for (std::size_t i = 0; i < 3; ++i) {
+        uvs[i] = reader.parse_vector2();
+        if (i != 2) reader.accept_comma();
     }
+    return uvs;
+}
+
+void skip_texture(Reader& reader) {
     const Token next = reader.peek();
     if (!reader.accept(Word::texture) && !reader.accept(Word::texture_list)) return;
     reader.unmodelled(next.span, "texture of a mesh triangle");
     skip_inner_block(reader);
 }
 
-void add_triangle(MeshData& mesh, const Corner (&corner)[3], bool smooth) {
+/// Of the face that was added last. The faces before the first one that states something have nothing of it.
+template <typename T>
+void add_stated(const std::array<T, 3>* stated, std::size_t faces, std::vector<T>& values, std::vector<MeshData::Face>& indices) {
+    if (!stated && indices.empty()) return;
+    indices.resize(faces, none);
+    if (!stated) return;
+    const auto first = static_cast<std::uint32_t>(values.size());
+    values.insert(values.end(), stated->begin(), stated->end());
+    indices.back() = {first, first + 1, first + 2};
+}
+
+void add_triangle(MeshData& mesh, const Corner (&corner)[3], bool smooth, const std::optional<CornerUvs>& uvs) {
     if (is_degenerate_triangle(corner[0].point, corner[1].point, corner[2].point)) return;
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Corner& c : corner) mesh.vertices.push_back(c.point);
     mesh.faces.push_back({first, first + 1, first + 2});
-    if (smooth && mesh.normal_faces.empty())
-        mesh.normal_faces.assign(mesh.faces.size() - 1, {MeshData::flat, MeshData::flat, MeshData::flat});
-    if (smooth) {
-        const auto first_normal = static_cast<std::uint32_t>(mesh.normals.size());
-        for (const Corner& c : corner) mesh.normals.push_back(c.normal);
-        mesh.normal_faces.push_back({first_normal, first_normal + 1, first_normal + 2});
-    } else if (!mesh.normal_faces.empty()) {
-        mesh.normal_faces.push_back({MeshData::flat, MeshData::flat, MeshData::flat});
-    }
+    const std::array<Vec3, 3> normals{corner[0].normal, corner[1].normal, corner[2].normal};
+    add_stated(smooth ? &normals : nullptr, mesh.faces.size(), mesh.normals, mesh.normal_faces);
+    add_stated(uvs ? &*uvs : nullptr, mesh.faces.size(), mesh.uvs, mesh.uv_faces);
 }
 
 bool accept_triangle(Reader& reader, MeshData& mesh) {
@@ -64,10 +79,11 @@ bool accept_triangle(Reader& reader, MeshData& mesh) {
         corner[i] = parse_corner(reader, smooth);
         if (i != 2) reader.accept_comma();
     }
-    skip_triangle_extras(reader);
+    const std::optional<CornerUvs> uvs = accept_uvs(reader);
+    skip_texture(reader);
     reader.end_block();
     if (mesh.vertices.size() > MeshData::flat - 4) reader.fail(reader.peek().span, "Too many triangles in one mesh.");
-    add_triangle(mesh, corner, smooth);
+    add_triangle(mesh, corner, smooth, uvs);
     return true;
 }
 

@@ -55,12 +55,14 @@ void parse_normals(Reader& reader, std::vector<Vec3>& normals) {
     reader.end_block();
 }
 
-void skip_uv_vectors(Reader& reader) {
+void parse_uvs(Reader& reader, std::vector<Vec2>& uvs) {
     reader.begin_block("uv_vectors");
     const std::size_t count = parse_count(reader);
+    uvs.clear();
+    uvs.reserve(reserve_limit(reader, count, least_bytes));
     reader.accept_comma();
     for (std::size_t i = 0; i < count; ++i) {
-        reader.parse_vector2();
+        uvs.push_back(reader.parse_vector2());
         reader.accept_comma();
     }
     reader.end_block();
@@ -140,15 +142,26 @@ void parse_normal_indices(Reader& reader, Mesh2& mesh) {
     if (count > 0) data.normal_faces.resize(data.faces.size(), flat_face);
 }
 
-void skip_uv_indices(Reader& reader) {
+void parse_uv_indices(Reader& reader, Mesh2& mesh) {
+    MeshData& data = mesh.data;
     reader.begin_block("uv_indices");
-    const std::size_t count = parse_count(reader);
+    if (parse_count(reader) != mesh.kept.size()) reader.fail(reader.peek().span, "Number of uv indices must equal number of faces.");
     reader.accept_comma();
-    for (std::size_t i = 0; i < count; ++i) {
-        reader.parse_vector();
+    data.uv_faces.clear();
+    data.uv_faces.reserve(data.faces.size());
+    for (const char kept : mesh.kept) {
+        const MeshData::Face face = parse_indices(reader, data.uvs.size(), "Mesh UV index out of range.");
+        if (kept) data.uv_faces.push_back(face);
         reader.accept_comma();
     }
     reader.end_block();
+}
+
+/// Without indices of their own there is one for each vertex.
+void settle_uvs(Reader& reader, MeshData& data) {
+    if (data.uvs.empty() || !data.uv_faces.empty()) return;
+    if (data.uvs.size() != data.vertices.size()) reader.fail(reader.peek().span, "Missing uv_indicies section in mesh2.");
+    data.uv_faces = data.faces;
 }
 
 /// The lists before the faces.
@@ -163,7 +176,8 @@ void parse_lists(Reader& reader, Mesh2& mesh) {
             warn_duplicate(reader, !mesh.data.normals.empty(), "normal_vectors");
             parse_normals(reader, mesh.data.normals);
         } else if (reader.accept(Word::uv_vectors)) {
-            skip_uv_vectors(reader);
+            warn_duplicate(reader, !mesh.data.uvs.empty(), "uv_vectors");
+            parse_uvs(reader, mesh.data.uvs);
         } else if (reader.accept(Word::texture_list)) {
             skip_texture_list(reader, next, mesh);
         } else {
@@ -187,7 +201,7 @@ ParsedShape parse_mesh2(Reader& reader) {
             has_normal_indices = true;
             parse_normal_indices(reader, mesh);
         } else if (reader.accept(Word::uv_indices)) {
-            skip_uv_indices(reader);
+            parse_uv_indices(reader, mesh);
         } else {
             break;
         }
@@ -201,6 +215,7 @@ ParsedShape parse_mesh2(Reader& reader) {
         else
             data.normals.clear();
     }
+    settle_uvs(reader, data);
     if (reader.accept(Word::inside_vector)) reader.parse_vector();
     if (data.faces.empty()) return std::nullopt;
     return Mesh{std::move(data)};

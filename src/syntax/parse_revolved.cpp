@@ -60,8 +60,9 @@ ParsedShape parse_lathe(Reader& reader) {
     Outline curve;
     for (const CurvePiece& piece : spline_pieces(spline, points)) curve.add(piece);
     if (curve.pieces.empty()) return std::nullopt;
+    const CurvePiece first = curve.pieces.front();
     turn_outwards(curve);
-    return Lathe{std::move(curve)};
+    return Lathe{.curve = curve, .turned = curve.pieces.front() != first};
 }
 
 ParsedShape parse_sor(Reader& reader) {

@@ -44,12 +44,29 @@ Vec2 uv(const Torus& s, const Vec3& p) {
     return {0.5 - std::atan2(p.z, p.x) / (2.0 * pi), 0.5 + std::atan2(p.y, out) / (2.0 * pi)};
 }
 
-}  // namespace
+Vec2 uv(const Lathe& s, const Vec3& p, const ShapeHit& hit) { return {turns(p.z, p.x), along_curve(s, hit)}; }
+Vec2 uv(const Sor& s, const Vec3& p, const ShapeHit& hit) { return {turns(p.z, p.x), along_curve(s, p, hit)}; }
 
-Vec2 uv_of(const UvFrame& frame, const Vec3& point) {
+Vec2 further_uv(const FurtherShape& further, const Transform& to_world, const Vec3& point, const ShapeHit& hit) {
     return std::visit(
         [&](const auto& shape) -> Vec2 {
-            if constexpr (requires { uv(shape, point); })
+            if constexpr (requires { uv(shape, point, hit); })
+                return uv(shape, to_world.inverse_point(point), hit);
+            else
+                return {point.x, point.y};
+        },
+        further);
+}
+
+}  // namespace
+
+Vec2 uv_of(const UvFrame& frame, const Vec3& point, std::size_t face, const ShapeHit& hit) {
+    if (const Mesh* mesh = std::get_if<Mesh>(&frame.shape)) return uv(*mesh->data, face, hit);
+    return std::visit(
+        [&](const auto& shape) -> Vec2 {
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, FurtherShape>)
+                return further_uv(shape, frame.to_world, point, hit);
+            else if constexpr (requires { uv(shape, point); })
                 return uv(shape, frame.to_world.inverse_point(point));
             else
                 return {point.x, point.y};

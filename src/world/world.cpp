@@ -25,6 +25,11 @@ Vec3 World::normal(const Hit& hit, const Vec3& point) const { return surfaces->n
 
 Vec3 World::flat_side(const Hit& hit, const Vec3& normal) const { return surfaces->surfaces().flat_side(hit, normal); }
 
+Vec2 World::uv(const Hit& hit, const Vec3& point) const {
+    const std::uint32_t face = hit.primitive - surfaces->surfaces().objects[hit.object].first_primitive;
+    return uv_of(uv_frames[objects[hit.object].uv_frame], point, face, hit.shape);
+}
+
 bool World::met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const {
     return surfaces->surfaces().met_from_inside(hit, point, direction);
 }

@@ -99,7 +99,7 @@ public:
     bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;
 
     /// (u, v) of a hit on an object whose material uses them.
-    Vec2 uv(const Hit& hit, const Vec3& point) const { return uv_of(uv_frames[objects[hit.object].uv_frame], point); }
+    Vec2 uv(const Hit& hit, const Vec3& point) const;
 
     CameraBasis camera;
     std::vector<Light> lights;

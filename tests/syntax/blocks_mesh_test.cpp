@@ -131,8 +131,28 @@ TEST(Mesh2Block, TextureIndicesArePastTheListsLength) {
     EXPECT_EQ(std::get<Mesh>(p.scene.objects.at(0).shape).data->faces.size(), 2u);
 }
 
-TEST(Mesh2Block, UvListsAreRead) {
-    EXPECT_EQ(parse_mesh2("uv_vectors { 3, <0,0>, <1,0>, <0,1> } face_indices { 1, <0,1,2> } uv_indices { 1, <0,1,2> }").error, "");
+TEST(MeshBlock, UvsOfTrianglesStandBesideThem) {
+    const ParsedScene p =
+        parse_block("mesh { triangle { 0, x, y } triangle { 0, x, y uv_vectors <1,2>, <3,4>, <5,6> } triangle { 0, x, z } }");
+    const MeshData& m = *std::get<Mesh>(p.scene.objects.at(0).shape).data;
+    EXPECT_THAT(m.uvs, ElementsAre(Vec2(1, 2), Vec2(3, 4), Vec2(5, 6)));
+    constexpr Face none{MeshData::flat, MeshData::flat, MeshData::flat};
+    EXPECT_THAT(m.uv_faces, ElementsAre(none, Face{0, 1, 2}, none));
+    EXPECT_EQ(uv(m, 0, {.u = 0.25, .v = 0.5}), Vec2(0.0));
+    EXPECT_EQ(uv(m, 1, {.u = 0.25, .v = 0.5}), Vec2(0.25 * 1 + 0.25 * 3 + 0.5 * 5, 0.25 * 2 + 0.25 * 4 + 0.5 * 6));
+}
+
+TEST(Mesh2Block, UvsHaveIndicesOrAreTheVertices) {
+    const std::string three = "uv_vectors { 3, <0,0>, <1,0>, <0,1> } ", four = "uv_vectors { 4, <0,0>, <1,0>, <0,1>, <1,1> } ";
+    const std::string faces = "face_indices { 3, <0,1,2>, <1,1,2>, <1,2,3> } ";
+    EXPECT_THAT(mesh2(three + faces + "uv_indices { 3, <0,1,2>, <0,0,0>, <2,1.9,-0.5> }").uv_faces,
+                ElementsAre(Face{0, 1, 2}, Face{2, 1, 0}));
+    EXPECT_THAT(mesh2(four + faces).uv_faces, ElementsAre(Face{0, 1, 2}, Face{1, 2, 3}));
+    EXPECT_TRUE(mesh2(faces).uv_faces.empty());
+    EXPECT_EQ(parse_mesh2(three + faces).error, "Missing uv_indicies section in mesh2.");
+    EXPECT_EQ(parse_mesh2(three + faces + "uv_indices { 3, <0,1,2>, <0,0,0>, <2,1,3> }").error, "Mesh UV index out of range.");
+    EXPECT_EQ(parse_mesh2(faces + "uv_indices { 3, <0,1,2>, <0,0,0>, <2,1,3> }").error, "Mesh UV index out of range.");
+    EXPECT_EQ(parse_mesh2(four + faces + "uv_indices { 2, <0,1,2>, <0,0,0> }").error, "Number of uv indices must equal number of faces.");
 }
 
 TEST(Mesh2Block, OnlyDegenerateFacesLeaveNoObject) {
