@@ -1,4 +1,4 @@
-//Povray V3.1 code in the manner of Open Babel
+// POV-Ray V3.1 code in the manner of Open Babel
 #include "openbabel.inc"
 
 #if (version < 3.1)
