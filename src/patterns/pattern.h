@@ -77,8 +77,6 @@ int cell_count(PatternKind kind);
 inline bool has_cells(PatternKind kind) { return cell_count(kind) > 0; }
 /// Patterns whose value somebody else computes at `pattern_point`: function, pigment_pattern, object (a cell), average (none).
 bool is_computed_elsewhere(PatternKind kind);
-/// The value also depends on the surface: slope and aoi.
-inline bool needs_surface(PatternKind kind) { return kind == PatternKind::slope || kind == PatternKind::aoi; }
 
 enum class WaveType : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };
 

@@ -2,18 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/syntax/read_scene.h"
+#include "tests/syntax/expect_debug.h"
 
 namespace rt {
 namespace {
-
-using Cases = std::vector<std::pair<std::string, std::string>>;
-
-const std::string show = "#macro Show(A) #debug concat(str(A,0,0),\" \") #end ";
-
-void expect_debug(const Cases& cases) {
-    for (const auto& [scene, text] : cases) EXPECT_EQ(debug_text(show + scene), text) << scene;
-}
 
 TEST(Macro, BodiesAreSkippedUntilUsed) {
     EXPECT_EQ(

@@ -15,8 +15,8 @@ namespace {
 /// matters to the difference.
 constexpr int paired_side = 4;
 
-/// A highlight is widened by what one sample covers: there is no limit of many samples. What counts is the exact setting's one or more rays
-/// through a pixel, where it samples by the error.
+/// A highlight is widened by what one sample covers, so with pairs it would hardly be. The exact setting, which samples by the error,
+/// widens it by a whole pixel.
 bool hangs_by_samples(const Knob& knob) { return knob.name == "specular-aa"; }
 
 class Alone {

@@ -55,10 +55,10 @@ std::string counts_text(const TradeRecord& record) {
                              [&](const TradeSetting& setting) { return setting.state == state; });
     };
     std::string text = fmt::format("{} settings measured", count(SettingState::measured));
+    if (const auto unstable = count_unstable_medians(record))
+        text += fmt::format(" ({} medians may be off by more than {:g} %)", unstable, 100.0 * RepeatRule{}.spread);
     if (const auto slow = count(SettingState::too_slow)) text += fmt::format(", {} too slow", slow);
     if (const auto open = count(SettingState::not_run)) text += fmt::format(", {} not run", open);
-    if (const auto unstable = count_unstable_medians(record))
-        text += fmt::format(", {} of which the median may be off by more than {:g} %", unstable, 100.0 * RepeatRule{}.spread);
     if (record.out_of_time) text += "; the time was over before all was done as often as wanted: the same command goes on";
     return text;
 }
@@ -87,7 +87,7 @@ std::string trade_table_text(const TradeRecord& record) {
     if (!reference.complete()) return text + "the reference is not finished; the same command goes on with it\n";
     text += fmt::format("reference: {:.0f} rays a pixel, RMSE {:.5f} (estimated; {:.5f} was asked for), {:.1f} s\n", reference.samples,
                         reference.error, reference.asked, reference.seconds);
-    text += fmt::format("below RMSE {:.5f}, twice that, settings are not told apart\n", reference.told_apart());
+    text += fmt::format("below RMSE {:.5f}, twice the reference's, settings are not told apart\n", reference.told_apart());
     text += fmt::format("{}\n", counts_text(record));
     const std::string head = fmt::format("  {:>9}  {:>8}  {:>7}  {:>7}  {:>6}  {:>8}\n", record.cost == Cost::wall ? "seconds" : "CPU s",
                                          "RMSE", "p99", "max", "FLIP", "unstable");
