@@ -64,7 +64,8 @@ Film enlarge(Film small, const Stretch& across, const Stretch& down, Filtered fi
             large.at(x, y) = {std::max(p.r, 0.0f), std::max(p.g, 0.0f), std::max(p.b, 0.0f), std::clamp(p.transmittance, 0.0f, 1.0f)};
         }
     }
-    if (filtered == Filtered::square_roots) change_colors(large, [](float v) { return std::min(v * v, std::numeric_limits<float>::max()); });
+    if (filtered == Filtered::square_roots)
+        change_colors(large, [](float v) { return std::min(v * v, std::numeric_limits<float>::max()); });
     return large;
 }
 

@@ -52,8 +52,8 @@ Lighting::View Lighting::view(const SurfacePoint& at, std::span<const ActiveLaye
     return view;
 }
 
-void Lighting::light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers,
-                                                          std::span<const std::uint32_t> inside, LocalLight& result, RayNode* log) {
+void Lighting::light_layers(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
+                            LocalLight& result, RayNode* log) {
     const View shared = view(at, layers, inside, log);
     if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.unshadowed) return;
     for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);

@@ -13,8 +13,8 @@ std::string repeated(const std::string& part, int count) {
     return text;
 }
 
-/// The thread sanitizer keeps its own memory of a thread at the end of that thread's stack; the address sanitizer makes frames several times
-/// as large.
+/// The thread sanitizer keeps its own memory of a thread at the end of that thread's stack; the address sanitizer makes frames several
+/// times as large.
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
 constexpr std::size_t sanitizer_bytes = 1 << 20;
 #else
