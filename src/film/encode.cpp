@@ -4,15 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/srgb.h"
 #include "core/vec.h"
 #include "film/quantiser.h"
 
 namespace rt {
 namespace {
-
-double decode_srgb(double x) { return x < 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
-
-double encode_srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055; }
 
 double raise(double value, double power) { return power == 1.0 ? value : std::pow(std::fmax(value, 0.0), power); }
 

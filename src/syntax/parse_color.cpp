@@ -1,6 +1,7 @@
 // Colours: keywords, vectors, identifiers and single channels.
 #include <fmt/format.h>
 
+#include "core/srgb.h"
 #include "syntax/blocks.h"
 
 namespace rt {
@@ -63,9 +64,9 @@ bool is_color_word(Word w) {
 PigmentColor from_channels(const Number& n) { return {Rgb(n.v[0], n.v[1], n.v[2]), n.v[3], n.v[4]}; }
 
 /// sRGB's transfer function, then into the working space of `gamma`.
-double decode_srgb(double value, const Gamma& gamma) {
+double from_srgb(double value, const Gamma& gamma) {
     if (gamma.kind == Gamma::Kind::srgb) return value;
-    const double linear = value < 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    const double linear = decode_srgb(value);
     return gamma.power == 1.0 ? linear : std::pow(linear, 1.0 / gamma.power);
 }
 
@@ -88,7 +89,7 @@ PigmentColor parse_form(Reader& reader, bool pure) {
     if (form.fourth_is_transmit && n.size <= 4) std::swap(n.v[3], n.v[4]);
     PigmentColor color = from_channels(n);
     if (form.srgb)
-        for (int i = 0; i < 3; ++i) color.rgb[i] = decode_srgb(color.rgb[i], gamma);
+        for (int i = 0; i < 3; ++i) color.rgb[i] = from_srgb(color.rgb[i], gamma);
     if (form.size == 5) {
         remark(reader, pure, color.filter != 0.0 || color.transmit != 0.0, "filter and transmit components");
     } else if (form.size == 4) {

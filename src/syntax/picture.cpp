@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "core/srgb.h"
+
 namespace rt {
 
 namespace {
 
 constexpr float red_share = 0.297F, green_share = 0.589F, blue_share = 0.114F;
-
-double decode_srgb(double v) { return v < 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 /// From the file's numbers, 0..1, to the working space.
 class Decoder {
@@ -27,7 +27,7 @@ public:
 private:
     double encode(double linear) const {
         if (working_.kind == Gamma::Kind::power) return working_.power == 1.0 ? linear : std::pow(linear, 1.0 / working_.power);
-        return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+        return encode_srgb(linear);
     }
 
     Gamma working_;
