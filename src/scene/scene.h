@@ -40,8 +40,11 @@ struct Object {
     bool double_illuminate = false;
     bool inverse = false;
     bool hollow = false;
-    bool uv_mapping = false;   ///< all patterns of its textures are seen at (u, v, 0)
-    std::uint32_t medium = 0;  ///< objects of one number above 0, parts of one set, have one interior in common
+    bool uv_mapping = false;        ///< all patterns of its textures are seen at (u, v, 0)
+    std::uint32_t medium = 0;       ///< objects of one number above 0, parts of one set, have one interior in common
+    std::uint32_t light_group = 0;  ///< the innermost that it is in, whose lights shine on it; 0: none
+    bool own_lights_only = false;   ///< the lights of the whole scene do not shine on it
+    bool shows_light = false;       ///< of a looks_like: no group keeps the lights of the whole scene from it
     Span span;
     bool operator==(const Object&) const = default;
 
@@ -65,7 +68,7 @@ struct AreaLight {
     bool operator==(const AreaLight&) const = default;
 };
 
-/// All of the light's transforms are already applied to location, point_at and the area axes.
+/// All of the light's transforms are already applied to location, point_at, the area axes and the mask.
 struct Light {
     enum class Type { point, spotlight, cylinder };
     Type type = Type::point;
@@ -80,6 +83,9 @@ struct Light {
     double fade_distance = 0.0;
     double fade_power = 0.0;
     std::optional<AreaLight> area;
+    std::uint32_t group = 0;  ///< the light group on which alone it shines; 0: the whole scene
+    /// It shines only where the way to it leads through this, and what is beyond casts no shadows.
+    std::optional<Shared<Mask>> mask;
     Span span;
     bool operator==(const Light&) const = default;
 };
@@ -120,6 +126,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Object> objects;                  ///< in file order; ties between equally near surfaces go to the first
     std::vector<ObjectSet> sets;                  ///< no object is in two of them
+    std::uint32_t light_groups = 0;               ///< how many there are: 1 is the first
     PigmentColor background{Rgb(0.0), 0.0, 1.0};  ///< none stated: black, and transparent in a picture with alpha
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;

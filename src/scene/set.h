@@ -40,10 +40,17 @@ struct SetNode {
 
 /// One tree of nodes, each followed by its parts.
 struct ObjectSet {
-    std::uint32_t first_object = 0;  ///< in the scene; its surfaces are the objects from there on, in order
+    std::uint32_t first_object = 0;  ///< in the scene, or among a mask's surfaces; its surfaces are the objects from there on, in order
     std::vector<SetNode> nodes;
     std::vector<Solid> solids;
     bool operator==(const ObjectSet&) const = default;
+};
+
+/// What a light is projected through: laid out like a scene's objects and sets, and met by rays towards that light alone.
+struct Mask {
+    std::vector<Solid> surfaces;
+    std::vector<ObjectSet> sets;
+    bool operator==(const Mask&) const = default;
 };
 
 }  // namespace rt

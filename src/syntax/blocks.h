@@ -19,7 +19,6 @@ Rgb parse_rgb(
     Reader& reader);  ///< where only red, green and blue count: filter and transmit are dropped with a warning; black if none is there
 bool at_color(Reader& reader);  ///< does a colour keyword or a colour identifier come next?
 Camera parse_camera(Reader& reader);
-Light parse_light(Reader& reader);
 void transform_light(Reader& reader, const Span& place, Light& light, const Transform& t);
 /// The modifiers of a declared light: any that an object takes, of which only transforms mean anything.
 void modify_light(Reader& reader, const Span& place, Light& light);
@@ -44,5 +43,10 @@ using Placeable = std::variant<ObjectValue, Light>;
 /// An object statement whose word is next (sphere ... mesh2, object, light_source, or a declared object's or light's name); empty if
 /// there is none.
 std::optional<Placeable> accept_object(Reader& reader);
+/// `{ OBJECT MODIFIERS }`; `word` is the block's. The object is moved to `location` before it is modified.
+Placeable parse_object_block(Reader& reader, std::string_view word, const Vec3& location = Vec3(0.0));
+/// Of a light that shows an object: a set of both.
+Placeable parse_light(Reader& reader);
+ObjectValue parse_light_group(Reader& reader);
 
 }  // namespace rt

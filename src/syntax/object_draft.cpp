@@ -21,20 +21,6 @@ void settle(Reader& reader, Draft& draft, bool always) {
     settle(reader, draft.object.interior_texture, draft.interior_texture_motion, always);
 }
 
-void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
-    if (!draft.is_set()) {
-        append(draft.object.transform, t);
-        require_finite(reader, place, *draft.object.transform);
-    }
-    if (draft.set) {
-        append(draft.set_motion, t);
-        require_finite(reader, place, *draft.set_motion);
-    }
-    if (draft.object.uv_mapping) return;  // its surface takes its coordinates along
-    if (draft.object.texture) append(draft.texture_motion, t);
-    if (draft.object.interior_texture) append(draft.interior_texture_motion, t);
-}
-
 // What follows is asked for in turn, each with a frame of its own: blocks stand inside blocks, and what one of these needs for its values
 // would be on the stack of each.
 
@@ -131,6 +117,20 @@ void parse_modifiers(Reader& reader, Draft& draft, const ShapeSyntax* shape) {
 }
 
 }  // namespace
+
+void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
+    if (!draft.is_set()) {
+        append(draft.object.transform, t);
+        require_finite(reader, place, *draft.object.transform);
+    }
+    if (draft.set) {
+        append(draft.set_motion, t);
+        require_finite(reader, place, *draft.set_motion);
+    }
+    if (draft.object.uv_mapping) return;  // its surface takes its coordinates along
+    if (draft.object.texture) append(draft.texture_motion, t);
+    if (draft.object.interior_texture) append(draft.interior_texture_motion, t);
+}
 
 ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const ShapeSyntax* shape) {
     parse_modifiers(reader, *draft, shape);

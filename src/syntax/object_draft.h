@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "syntax/blocks.h"
 #include "syntax/parse_shape.h"
 #include "syntax/reader.h"
 
@@ -23,6 +24,8 @@ struct Draft {
 };
 
 std::unique_ptr<Draft> draft_of(ObjectValue value);
+/// As a modifier would.
+void move(Reader& reader, const Span& place, Draft& draft, const Transform& t);
 /// Reads modifiers and the end of the block; `shape` says which of them the object takes, if its shape is known.
 ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const ShapeSyntax* shape);
 /// Reads the modifiers of something that is no object: what moves it, all others meaning nothing.
@@ -36,5 +39,11 @@ bool accept_set_modifier(Reader& reader, Draft& draft);
 void warn_of_bound(Reader& reader, const Draft& draft);
 /// Moves the parts of the set and what clips it, as far as they are read.
 void settle_set(Reader& reader, const Span& place, Draft& draft);
+/// Adds what an object statement at `place` has read: as it is or, of a difference, inverted.
+void add_item(Reader& reader, const Span& place, SetValue& set, Placeable item, bool inverted);
+/// Moves all of a set.
+void move_set(Reader& reader, const Span& place, SetValue& set, const Transform& t);
+/// Throws LimitError at `place` if sets are in sets too often.
+void limit_depth(Reader& reader, const Span& place, const ObjectSet& set);
 
 }  // namespace rt

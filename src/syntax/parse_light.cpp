@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "syntax/blocks.h"
+#include "syntax/light_objects.h"
+#include "syntax/object_draft.h"
 #include "syntax/parameters.h"
 #include "syntax/unmodelled.h"
 
@@ -107,13 +109,10 @@ bool accept_general_item(Reader& reader, Light& light) {
 
 /// Keywords about media and photons say nothing where there are none: both are reported where they are asked for.
 bool accept_unmodelled_item(Reader& reader) {
-    const Token next = reader.peek();
     if (reader.accept(Word::media_interaction) || reader.accept(Word::media_attenuation)) {
         reader.parse_bool_or(true);
     } else if (reader.accept(Word::photons)) {
         skip_inner_block(reader);
-    } else if (reader.accept(Word::looks_like) || reader.accept(Word::projected_through)) {
-        skip_unmodelled_block(reader, next);
     } else {
         return false;
     }
@@ -126,6 +125,7 @@ void move(Reader& reader, const Span& place, Light& light, AreaLight& area, cons
     area.axis1 = t.direction(area.axis1);
     area.axis2 = t.direction(area.axis2);
     for (const Vec3& v : {light.location, light.point_at, area.axis1, area.axis2}) require_finite(reader, place, v);
+    if (light.mask) move_mask(reader, place, light.mask->edit(), t);
 }
 
 /// POV-Ray's checks at the end of the block.
@@ -158,7 +158,7 @@ void transform_light(Reader& reader, const Span& place, Light& light, const Tran
     move(reader, place, light, light.area ? *light.area : none, t);
 }
 
-Light parse_light(Reader& reader) {
+[[gnu::noinline]] Placeable parse_light(Reader& reader) {
     const Span begin = reader.peek().span;
     reader.begin_block("light_source");
     if (const Light* declared = reader.accept_declared<Light>()) {
@@ -167,6 +167,7 @@ Light parse_light(Reader& reader) {
         reader.end_block();
         return copy;
     }
+    if (const ObjectValue* declared = reader.accept_declared<ObjectValue>()) return finish_object(reader, draft_of(*declared), nullptr);
     Light light;
     light.span = begin;
     light.location = reader.parse_vector();
@@ -174,19 +175,23 @@ Light parse_light(Reader& reader) {
     light.color = parse_rgb(reader);
     AreaLight area;
     bool is_area = false;
+    std::optional<LightLook> look;
     for (;;) {
         const Span place = reader.peek().span;
-        if (const std::optional<Transform> t = accept_transform(reader))
+        if (const std::optional<Transform> t = accept_transform(reader)) {
             move(reader, place, light, area, *t);
-        else if (!accept_general_item(reader, light) && !accept_cone_item(reader, light) && !accept_area_item(reader, area, is_area) &&
-                 !accept_unmodelled_item(reader))
+            if (look) look->move(reader, place, *t);
+        } else if (!accept_general_item(reader, light) && !accept_cone_item(reader, light) && !accept_area_item(reader, area, is_area) &&
+                   !accept_unmodelled_item(reader) && !accept_light_object(reader, light, look)) {
             break;
+        }
     }
     const Span end = reader.peek().span;
     reader.end_block();
     check_area(reader, end, area, is_area);
     if (is_area) light.area = area;
-    return light;
+    if (!look) return light;
+    return look->with(reader, std::move(light));
 }
 
 }  // namespace rt

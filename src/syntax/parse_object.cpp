@@ -21,21 +21,23 @@ ObjectValue parse_shape_block(Reader& reader, const ShapeSyntax& shape) {
     return finish_object(reader, std::move(draft), &shape);
 }
 
-/// `object { ... }` after its word.
-[[gnu::noinline]] Placeable parse_object_block(Reader& reader) {
+}  // namespace
+
+[[gnu::noinline]] Placeable parse_object_block(Reader& reader, std::string_view word, const Vec3& location) {
     const Span place = reader.peek().span;
-    reader.begin_block("object");
+    reader.begin_block(word);
     std::optional<Placeable> inner = accept_object(reader);
     if (!inner) reader.fail_expected("object");
     if (Light* light = std::get_if<Light>(&*inner)) {
+        transform_light(reader, place, *light, Transform::translate(location));
         modify_light(reader, place, *light);
         reader.end_block();
         return std::move(*light);
     }
-    return finish_object(reader, draft_of(std::get<ObjectValue>(std::move(*inner))), nullptr);
+    std::unique_ptr<Draft> draft = draft_of(std::get<ObjectValue>(std::move(*inner)));
+    if (location != Vec3(0.0)) move(reader, place, *draft, Transform::translate(location));
+    return finish_object(reader, std::move(draft), nullptr);
 }
-
-}  // namespace
 
 void modify_light(Reader& reader, const Span& place, Light& light) {
     if (const std::optional<Transform> motion = parse_motion(reader)) transform_light(reader, place, light, *motion);
@@ -48,8 +50,9 @@ std::optional<Placeable> accept_object(Reader& reader) {
     if (next.kind != Token::Kind::word) return std::nullopt;
     if (const ShapeSyntax* shape = find_shape(next.word)) return parse_shape_block(reader, *shape);
     if (std::optional<ObjectValue> set = accept_set(reader)) return std::move(*set);
-    if (reader.accept(Word::object)) return parse_object_block(reader);
+    if (reader.accept(Word::object)) return parse_object_block(reader, "object");
     if (reader.accept(Word::light_source)) return parse_light(reader);
+    if (reader.accept(Word::light_group)) return parse_light_group(reader);
     if (!is_unmodelled_shape(next.word)) return std::nullopt;
     reader.take();
     skip_unmodelled_block(reader, next);

@@ -69,8 +69,9 @@ void place_set(Reader& reader, ObjectValue value) {
     Scene& scene = reader.scene();
     const Span place = reader.last_place();
     Parts parts = resolved(std::move(value));
-    reader.count_parts(place, parts.objects.size() + parts.set.solids.size());
+    reader.count_parts(place, size_of(parts));
     if (cut_textures(parts) > 0) reader.unmodelled(place, "cutaway_textures that cut several textures");
+    shift_light_groups(parts, scene.light_groups);
     parts.set.first_object = static_cast<std::uint32_t>(scene.objects.size());
     for (SetNode& node : parts.set.nodes)
         if (node.medium != 0) node.medium += reader.placed_media();
@@ -80,6 +81,7 @@ void place_set(Reader& reader, ObjectValue value) {
         place_object(reader, std::move(object));
     }
     reader.placed_media() += parts.media;
+    scene.light_groups += parts.light_groups;
     std::move(parts.lights.begin(), parts.lights.end(), std::back_inserter(scene.lights));
 }
 

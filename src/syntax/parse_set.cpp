@@ -64,18 +64,6 @@ void move(Reader& reader, const Span& place, ObjectSet& bodies, const Transform&
     for (Solid& solid : bodies.solids) move(reader, place, solid.transform, t);
 }
 
-void move(Reader& reader, const Span& place, SetValue& set, const Transform& t) {
-    MovedTextures textures(reader, t);
-    for (Object& object : set.parts.objects) {
-        move(reader, place, object.transform, t);
-        if (object.uv_mapping) continue;  // its surface takes its coordinates along
-        textures.move(object.texture);
-        textures.move(object.interior_texture);
-    }
-    for (ObjectSet* bodies : {&set.parts.set, &set.clip, &set.bound}) move(reader, place, *bodies, t);
-    for (Light& light : set.parts.lights) transform_light(reader, place, light, t);
-}
-
 Parts parts_of(Placeable item) {
     if (Light* light = std::get_if<Light>(&item)) {
         Parts parts;
@@ -90,25 +78,7 @@ bool exists(const Placeable& item) {
     return !object || object->exists();
 }
 
-void limit_depth(Reader& reader, const Span& place, const ObjectSet& set) {
-    if (depth(set) <= most_depth) return;
-    throw LimitError(
-        reader.scene().sources.describe(place, "Parse Error", fmt::format("Sets of objects are nested more than {} deep.", most_depth)));
-}
-
 /// Of an intersection nothing is left where a part is missing, of a difference where the first one is.
-void add(Reader& reader, const Span& place, SetValue& set, Placeable item, bool first) {
-    const bool cuts = set.kind == Kind::intersection || set.kind == Kind::difference;
-    if (!exists(item)) return;
-    Parts part = parts_of(std::move(item));
-    reader.count_parts(place, part.objects.size() + part.set.solids.size());
-    if (cuts && has_patch(part)) reader.warn(reader.peek().span, "Patch objects not allowed in intersection.");
-    if (part.set.nodes.empty())
-        std::move(part.lights.begin(), part.lights.end(), std::back_inserter(set.parts.lights));
-    else
-        add_part(set, std::move(part), set.kind == Kind::difference && !first);
-}
-
 void parse_parts(Reader& reader, Draft& draft) {
     int count = 0;
     for (;; ++count) {
@@ -116,7 +86,7 @@ void parse_parts(Reader& reader, Draft& draft) {
         std::optional<Placeable> item = accept_object(reader);
         if (!item) break;
         if (count == 0 && draft.set->kind == Kind::difference && !exists(*item)) draft.exists = false;
-        add(reader, place, *draft.set, std::move(*item), count == 0);
+        add_item(reader, place, *draft.set, std::move(*item), draft.set->kind == Kind::difference && count > 0);
     }
     limit_depth(reader, reader.last_place(), draft.set->parts.set);
     if (count < 2) reader.warn(reader.peek().span, "Should have at least 2 objects in csg.");
@@ -180,8 +150,38 @@ void parse_bound(Reader& reader, Draft& draft) {
 
 }  // namespace
 
+void move_set(Reader& reader, const Span& place, SetValue& set, const Transform& t) {
+    MovedTextures textures(reader, t);
+    for (Object& object : set.parts.objects) {
+        move(reader, place, object.transform, t);
+        if (object.uv_mapping) continue;  // its surface takes its coordinates along
+        textures.move(object.texture);
+        textures.move(object.interior_texture);
+    }
+    for (ObjectSet* bodies : {&set.parts.set, &set.clip, &set.bound}) move(reader, place, *bodies, t);
+    for (Light& light : set.parts.lights) transform_light(reader, place, light, t);
+}
+
+void limit_depth(Reader& reader, const Span& place, const ObjectSet& set) {
+    if (depth(set) <= most_depth) return;
+    throw LimitError(
+        reader.scene().sources.describe(place, "Parse Error", fmt::format("Sets of objects are nested more than {} deep.", most_depth)));
+}
+
+void add_item(Reader& reader, const Span& place, SetValue& set, Placeable item, bool inverted) {
+    const bool cuts = set.kind == Kind::intersection || set.kind == Kind::difference;
+    if (!exists(item)) return;
+    Parts part = parts_of(std::move(item));
+    reader.count_parts(place, size_of(part));
+    if (cuts && has_patch(part)) reader.warn(reader.peek().span, "Patch objects not allowed in intersection.");
+    if (part.set.nodes.empty())
+        std::move(part.lights.begin(), part.lights.end(), std::back_inserter(set.parts.lights));
+    else
+        add_part(set, std::move(part), inverted);
+}
+
 void settle_set(Reader& reader, const Span& place, Draft& draft) {
-    if (draft.set && draft.set_motion) move(reader, place, *draft.set, *draft.set_motion);
+    if (draft.set && draft.set_motion) move_set(reader, place, *draft.set, *draft.set_motion);
     draft.set_motion.reset();
 }
 

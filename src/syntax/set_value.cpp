@@ -11,6 +11,7 @@ using NodeKind = SetNode::Kind;
 NodeKind root_kind(SetValue::Kind kind) {
     switch (kind) {
         case SetValue::Kind::union_:
+        case SetValue::Kind::light:
             return NodeKind::any;
         case SetValue::Kind::merge:
             return NodeKind::merged;
@@ -87,8 +88,8 @@ void hand_down_interior(const Object& whole, Parts& parts) {
 
 /// What the parts of a set lack they have from the whole.
 void hand_down(const SetValue& set, Parts& parts) {
-    const bool split =
-        set.kind == SetValue::Kind::union_ && set.split && set.clip.nodes.empty() && parts.set.nodes.front().kind == NodeKind::any;
+    const bool split = (set.kind == SetValue::Kind::union_ || set.kind == SetValue::Kind::light) && set.split && set.clip.nodes.empty() &&
+                       parts.set.nodes.front().kind == NodeKind::any;
     for (Object& part : parts.objects) {
         if (!part.texture) {
             part.texture = set.whole.texture;
@@ -140,6 +141,8 @@ void add_part(SetValue& set, Parts part, bool inverted) {
     const SetNode& top = part.set.nodes.front();
     const std::size_t first = top.kind == root.kind && !top.clips && !top.cutaway ? 1 : 0;  // a union in a union is no node of its own
     root.size += top.size - static_cast<std::uint32_t>(first);
+    shift_light_groups(part, parts.light_groups);
+    parts.light_groups += part.light_groups;
     append(parts.set, std::move(part.set), first, static_cast<std::uint32_t>(parts.objects.size()), parts.media);
     for (Object& object : part.objects) {
         if (object.medium != 0) object.medium += parts.media;
@@ -190,6 +193,39 @@ bool has_patch(const Parts& parts) {
     return !parts.lights.empty() || std::any_of(parts.objects.begin(), parts.objects.end(), [](const Object& object) {
         return is_sheet(object.shape) && !std::holds_alternative<Polygon>(object.shape);
     });
+}
+
+void shift_light_groups(Parts& parts, std::uint32_t before) {
+    for (Object& object : parts.objects)
+        if (object.light_group != 0) object.light_group += before;
+    for (Light& light : parts.lights)
+        if (light.group != 0) light.group += before;
+}
+
+void enclose_in_light_group(Parts& parts, const std::vector<std::size_t>& own_lights, bool global_lights) {
+    const std::uint32_t group = ++parts.light_groups;
+    for (const std::size_t own : own_lights) parts.lights[own].group = group;
+    for (Object& object : parts.objects) {
+        if (object.light_group == 0) object.light_group = group;
+        if (!object.shows_light) object.own_lights_only = !global_lights;  // whatever groups inside said, as POV-Ray has it
+    }
+}
+
+std::size_t size_of(const Parts& parts) {
+    std::size_t size = parts.objects.size() + parts.set.solids.size() + parts.lights.size();
+    for (const Light& light : parts.lights) {
+        if (!light.mask) continue;
+        size += (*light.mask)->surfaces.size();
+        for (const ObjectSet& set : (*light.mask)->sets) size += set.solids.size();
+    }
+    return size;
+}
+
+Mask mask_of(Parts parts) {
+    Mask mask;
+    for (Object& object : parts.objects) mask.surfaces.push_back({std::move(object.shape), std::move(object.transform), object.inverse});
+    mask.sets = separate_sets(parts.set);
+    return mask;
 }
 
 std::size_t depth(const ObjectSet& set) {

@@ -15,6 +15,12 @@ void add_bodies(ObjectSet& bodies, const ObjectSet& further);
 /// Turns a set inside out; what it is clipped by stays.
 void invert(SetValue& set);
 
+/// Moves the parts' objects and lights on to groups behind `before` others.
+void shift_light_groups(Parts& parts, std::uint32_t before);
+/// Makes a light group of the parts, of which the lights of these numbers are its own: those in unions shine on the whole scene, as POV-Ray
+/// has it.
+void enclose_in_light_group(Parts& parts, const std::vector<std::size_t>& own_lights, bool global_lights);
+
 /// What is to be seen of the value, each part with what the whole gives it: texture, interior, flags.
 Parts resolved(ObjectValue value);
 
@@ -25,6 +31,9 @@ bool has_patch(const Parts& parts);
 /// Gives parts without a texture that of what they cut, in sets that ask for it. Returns the number of those that cut several textures,
 /// which have the first of them.
 std::size_t cut_textures(Parts& parts);
+/// How many bodies there are in it, lights and what they are projected through included.
+std::size_t size_of(const Parts& parts);
+Mask mask_of(Parts parts);
 /// Sets in sets.
 std::size_t depth(const ObjectSet& set);
 

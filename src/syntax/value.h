@@ -34,13 +34,15 @@ struct Parts {
     std::vector<Object> objects;
     ObjectSet set;
     std::vector<Light> lights;
-    std::uint32_t media = 0;  ///< the largest `Object::medium`
+    std::uint32_t media = 0;         ///< the largest `Object::medium`
+    std::uint32_t light_groups = 0;  ///< as in Scene
     bool operator==(const Parts&) const = default;
 };
 
 /// A set, or a shape that is clipped.
 struct SetValue {
-    enum class Kind : std::uint8_t { clipped_shape, union_, merge, intersection, difference };
+    /// `light`: the union of a light and what shows it.
+    enum class Kind : std::uint8_t { clipped_shape, union_, merge, intersection, difference, light };
     Kind kind = Kind::clipped_shape;
     bool split = true;    ///< the parts of a union are tested one by one
     Object whole;         ///< what the parts of a set are given if they lack it; of a clipped shape the shape

@@ -56,7 +56,9 @@ void Lighting::light_layers(const SurfacePoint& at, std::span<const ActiveLayer>
                             LocalLight& result, RayNode* log) {
     const View shared = view(at, layers, inside, log);
     if (!shared.any_diffuse && !shared.any_highlight && !shared.back_diffuse && !shared.unshadowed) return;
-    for (std::size_t i = 0; i < sources_.size(); ++i) one_light(sources_[i], static_cast<std::uint32_t>(i), shared, result);
+    const bool grouped = world_.features.light_groups;
+    for (std::uint32_t i = 0; i < sources_.size(); ++i)
+        if (!grouped || world_.lights_up(i, at.object)) one_light(sources_[i], i, shared, result);
 }
 
 void Lighting::direct(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside,
@@ -87,7 +89,7 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
     const Light& light = source.light();
     const SurfacePoint& at = view.at;
     const bool illuminates_by_area = source.area() != nullptr && source.area()->area_illumination;
-    const LightRay ray = source.towards(light.location, at.point);
+    LightRay ray = source.towards(light.location, at.point);
     const double n_dot_l = dot(at.normal, ray.direction);
     if (view.unshadowed && !std::isnan(n_dot_l)) add_unshadowed(source, view, ray, n_dot_l, result);
     if (!illuminates_by_area && !is_seen(view, n_dot_l, light.shadowless)) return;
@@ -95,7 +97,9 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
     Rgb arriving = light.color;
     if (!illuminates_by_area) arriving *= source.attenuation(at.point, ray);
     if (is_dark(arriving)) return;
-    if (cast_shadows_ && !light.shadowless) {
+    const bool is_shadowed = cast_shadows_ && !light.shadowless;
+    if (light.mask && !(is_shadowed && source.area() != nullptr) && !shadows_.comes_through(index, at, ray)) return;
+    if (is_shadowed) {
         if (source.area() != nullptr) {
             arriving = shadows_.area(source, index, arriving, at, view.inside, view.log);
         } else {

@@ -29,6 +29,14 @@ Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOpti
       layers_(world, {options.quality.quick_colors, has_caustics(world)}),
       blockers_(world.lights.size()) {}
 
+[[gnu::noinline]] bool Shadows::comes_through(std::uint32_t light, const SurfacePoint& at, LightRay& ray) const {
+    const Interval range = rules_.shadow(ray.distance, at.error);
+    if (!(range.min < range.max)) return false;
+    const std::optional<double> mask = world_.through(light, {rules_.leave(at, ray.direction), ray.direction}, range);
+    if (mask) ray.distance = *mask;
+    return mask.has_value();
+}
+
 Rgb Shadows::transmitted(std::uint32_t light_index, const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside,
                          ShadowAnswer* answer) {
     ++rays;
@@ -126,7 +134,8 @@ Rgb Shadows::area(const LightSource& source, std::uint32_t index, const Rgb& col
     const auto ask = [&](int u, int v) {
         ShadowAnswer answer{
             index, static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(area.size1) + static_cast<std::uint32_t>(u), Rgb(1.0), {}};
-        const LightRay ray = source.towards(grid.position(u, v), at.point);
+        LightRay ray = source.towards(grid.position(u, v), at.point);
+        if (source.light().mask && !comes_through(index, at, ray)) return Rgb(0.0);
         const Rgb light = color * transmitted(index, at, ray, inside, log != nullptr ? &answer : nullptr);
         if (log != nullptr) log->shadows.push_back(std::move(answer));
         return light;

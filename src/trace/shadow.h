@@ -15,6 +15,9 @@ class Shadows {
 public:
     Shadows(const World& world, const DistanceRules& rules, const TraceOptions& options);
 
+    /// Whether `ray` leads to the world's light of that index through its mask, and now only as far as that.
+    bool comes_through(std::uint32_t light, const SurfacePoint& at, LightRay& ray) const;
+
     /// Share of the world's light of that index that reaches `at` along `ray`, per channel. `inside` lists the interiors that the ray which
     /// found `at` was in. `answer`, if given, receives what was crossed.
     Rgb transmitted(std::uint32_t light, const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside,

@@ -9,16 +9,20 @@ namespace {
 
 double longest_side(const Bounds& b) { return max_component(b.max - b.min); }
 
+Object unseen(const Solid& solid) {
+    Object object;
+    object.shape = solid.shape;
+    object.transform = solid.transform;
+    object.inverse = solid.inverse;
+    return object;
+}
+
 }  // namespace
 
 void Surfaces::add_set(const ObjectSet& set) {
     const auto first_solid = static_cast<std::uint32_t>(objects.size());
     for (const Solid& solid : set.solids) {
-        Object unseen;
-        unseen.shape = solid.shape;
-        unseen.transform = solid.transform;
-        unseen.inverse = solid.inverse;
-        add(unseen, 0);
+        add(unseen(solid), 0);
         objects.back().count = 0;
     }
     const std::size_t first = bodies.size();
@@ -29,6 +33,16 @@ void Surfaces::add_set(const ObjectSet& set) {
         if (const Bounds& box = bodies[i].box; box.is_finite()) extent = std::fmax(extent, std::fmax(max_abs(box.min), max_abs(box.max)));
     for (std::size_t i = first; i < bodies.size(); ++i)
         if (bodies[i].kind == SetNode::Kind::surface) make_part(static_cast<std::uint32_t>(i), extent);
+}
+
+MaskRange Surfaces::add_mask(const Mask& mask) {
+    const MaskRange range{static_cast<std::uint32_t>(objects.size()), static_cast<std::uint32_t>(mask.surfaces.size())};
+    for (const Solid& surface : mask.surfaces) add(unseen(surface), seen_by::masked_light);
+    for (ObjectSet set : mask.sets) {
+        set.first_object += range.first;
+        add_set(set);
+    }
+    return range;
 }
 
 /// Whether the box around a surface is around what is inside as well: not of a disc, whose whole half space counts, nor of a field.

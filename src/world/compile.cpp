@@ -1,6 +1,7 @@
 #include "world/compile.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 #include "world/material_table.h"
@@ -41,6 +42,28 @@ std::vector<Light> compile_lights(const std::vector<Light>& stated, std::optiona
         if (light_samples) thin_out(lights.back(), *light_samples);
     }
     return lights;
+}
+
+/// Which lights shine on which objects: those of the group that an object is in, and of the whole scene unless a group keeps them out.
+void compile_light_groups(const Scene& scene, World& world) {
+    world.features.light_groups = scene.light_groups > 0;
+    if (!world.features.light_groups) return;
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;
+    for (const Object& object : scene.objects) {
+        const auto [found, is_new] =
+            known.try_emplace({object.light_group, object.own_lights_only}, static_cast<std::uint32_t>(world.light_lists.size()));
+        world.light_list_of.push_back(found->second);
+        if (!is_new) continue;
+        std::vector<bool>& list = world.light_lists.emplace_back();
+        for (const Light& light : world.lights)
+            list.push_back(light.group == 0 ? !object.own_lights_only : light.group == object.light_group);
+    }
+}
+
+void add_masks(World& world, Surfaces& surfaces) {
+    const auto has_mask = [](const Light& light) { return light.mask.has_value(); };
+    if (std::none_of(world.lights.begin(), world.lights.end(), has_mask)) return;
+    for (const Light& light : world.lights) world.masks.push_back(light.mask ? surfaces.add_mask(**light.mask) : MaskRange{});
 }
 
 std::uint8_t seen_bits(const Object& object, bool transmits) {
@@ -151,6 +174,7 @@ void find_camera_interiors(const Scene& scene, const Surfaces& surfaces, World& 
 Bounds box_around(const Surfaces& surfaces) {
     Bounds all;
     for (std::uint32_t object = 0; object < surfaces.objects.size(); ++object) {
+        if (surfaces.objects[object].seen == seen_by::masked_light) continue;
         const Bounds box = surfaces.bounds(object);
         if (box.is_finite() && !box.is_empty() && surfaces.objects[object].count > 0) all.extend(box);
     }
@@ -178,6 +202,7 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
         }
     }
     for (const ObjectSet& set : scene.sets) surfaces.add_set(set);
+    add_masks(world, surfaces);
     world.materials = materials.take();
     for (const Material& material : world.materials) {
         require(material.layers, world.features);
@@ -209,6 +234,7 @@ World compile(const Scene& scene, const CompileOptions& options, const MessageSi
     world.camera = camera_basis(scene.camera, options.profile, scene.sources, warn);
     world.lights = compile_lights(scene.lights, options.light_samples);
     for (const Light& light : world.lights) world.features.area_lights |= light.area.has_value();
+    compile_light_groups(scene, world);
     world.background_transmit = scene.background.transmit;
     world.ambient_light = scene.settings.ambient_light;
     world.max_trace_level = scene.settings.max_trace_level;

@@ -96,7 +96,7 @@ SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
     : surfaces_(std::move(surfaces)), exact_(options.precision == Precision::exact) {
     std::vector<std::uint32_t> indexed;
     for (std::uint32_t object = 0; object < surfaces_.objects.size(); ++object) {
-        if (surfaces_.objects[object].count == 0) continue;
+        if (surfaces_.objects[object].count == 0 || surfaces_.objects[object].seen == seen_by::masked_light) continue;
         const Bounds box = surfaces_.bounds(object);
         const bool fits = options.index != IndexKind::brute_force && box.is_finite() && reach(box, Vec3(0.0)) < largest_indexed;
         (fits ? indexed : listed_).push_back(object);
@@ -157,6 +157,13 @@ std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& r
         found |= 1u << i;
     }
     return found;
+}
+
+std::optional<double> SurfaceIndex::through(const MaskRange& masks, const Ray& ray, const Interval& range) const {
+    if (!is_ray(ray)) return std::nullopt;
+    Query query(ray, range, seen_by::masked_light);
+    for (std::uint32_t i = 0; i < masks.count; ++i) surfaces_.test(masks.first + i, query);
+    return query.found ? std::optional(query.best.shape.t) : std::nullopt;
 }
 
 bool SurfaceIndex::occluded(const Ray& ray, const Interval& range, Blocker& last) const {

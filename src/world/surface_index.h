@@ -19,6 +19,7 @@ public:
     bool nearest(const Ray& ray, const Interval& range, RayKind kind, Hit& hit) const;
     std::uint32_t nearest(std::span<const Ray> rays, const Interval& range, RayKind kind, std::span<Hit> hits) const;
     bool occluded(const Ray& ray, const Interval& range, Blocker& last) const;
+    std::optional<double> through(const MaskRange& masks, const Ray& ray, const Interval& range) const;
     Vec3 normal(const Hit& hit, const Vec3& point) const { return surfaces_.normal(hit, point); }
     const Surfaces& surfaces() const { return surfaces_; }
     /// Objects that are tested one by one for every ray.

@@ -14,7 +14,8 @@ namespace rt {
 /// Which rays meet an object, one bit each.
 namespace seen_by {
 inline constexpr std::uint8_t image = 1, reflected = 2, shadow = 4;
-inline constexpr std::uint8_t blocker = 8;  ///< casts shadows and can never transmit
+inline constexpr std::uint8_t blocker = 8;        ///< casts shadows and can never transmit
+inline constexpr std::uint8_t masked_light = 16;  ///< that of the light which is projected through it, and nothing else
 }  // namespace seen_by
 
 /// A shape and where it stands.
@@ -145,6 +146,8 @@ struct Surfaces {
     void add(const Object& object, std::uint8_t seen);
     /// Makes parts of the set's objects, after all objects were added.
     void add_set(const ObjectSet& set);
+    /// Adds what a light is projected through, after all sets.
+    MaskRange add_mask(const Mask& mask);
 
     /// Nearest hit of the ray with a whole object, offered to the query; true if it is the best so far.
     bool test(std::uint32_t object, Query& query) const;

@@ -21,6 +21,10 @@ bool World::occluded(const Ray& ray, const Interval& range, Blocker& last) const
     return surfaces && surfaces->occluded(ray, range, last);
 }
 
+std::optional<double> World::through(std::uint32_t light, const Ray& ray, const Interval& range) const {
+    return surfaces ? surfaces->through(masks[light], ray, range) : std::nullopt;
+}
+
 Vec3 World::normal(const Hit& hit, const Vec3& point) const { return surfaces->normal(hit, point); }
 
 Vec3 World::flat_side(const Hit& hit, const Vec3& normal) const { return surfaces->surfaces().flat_side(hit, normal); }

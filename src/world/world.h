@@ -62,7 +62,13 @@ struct Features {
     bool atmosphere = false;        ///< fog or rainbows
     bool grain = false;             ///< some finish has crand or irid
     bool visibility_flags = false;  ///< some object is no_image or no_reflection
+    bool light_groups = false;      ///< not every light shines on every object
     bool catalogue = false;         ///< some finish has specular above 0 or another diffuse term than Lambert's
+};
+
+/// The surfaces of what a light is projected through, in a row behind those of the scene's objects.
+struct MaskRange {
+    std::uint32_t first = 0, count = 0;
 };
 
 class SurfaceIndex;
@@ -90,6 +96,10 @@ public:
         Blocker last;
         return occluded(ray, range, last);
     }
+    /// Whether the ray meets what the light of that index is projected through, and if so, where first. Thread-safe.
+    std::optional<double> through(std::uint32_t light, const Ray& ray, const Interval& range) const;
+    /// Does the light of that index shine on the object? Only asked where there are light groups.
+    bool lights_up(std::uint32_t light, std::uint32_t object) const { return light_lists[light_list_of[object]][light]; }
     /// Unit normal as the shape states it (negated by `inverse`), not turned to the viewer; interpolated for smooth triangles.
     Vec3 normal(const Hit& hit, const Vec3& point) const;
     /// Unit normal that stands on the surface itself, of either sign: `normal` but for smooth faces, where it is the flat one.
@@ -103,6 +113,9 @@ public:
 
     CameraBasis camera;
     std::vector<Light> lights;
+    std::vector<MaskRange> masks;                ///< of each light; none if no light has one
+    std::vector<std::vector<bool>> light_lists;  ///< one entry a light; only where there are light groups, like the next
+    std::vector<std::uint32_t> light_list_of;    ///< which of them holds for each object
     std::vector<CompiledObject> objects;
     std::vector<Material> materials;
     std::vector<CompiledInterior> interiors;

@@ -145,7 +145,6 @@ TEST(LightBlock, DeclaredLights) {
 }
 
 TEST(LightBlock, WhatIsNotModelled) {
-    EXPECT_EQ(with_light("0 rgb 1 looks_like { sphere { 0, 1 } }").error, "'looks_like' is not modelled.");
     EXPECT_EQ(with_light("0 rgb 1 media_interaction off media_attenuation photons { reflection on }").error, "");
     EXPECT_EQ(with_light("0 rgb 1 fade_color 1").error, "No matching } in 'light_source', fade_colour found instead");
 }

@@ -57,6 +57,8 @@ struct Nest {
 
 constexpr Nest nests[] = {
     {"", "object { ", "sphere { 0, 1 }", "}", ""},
+    {"", "light_group { ", "sphere { 0, 1 }", "}", ""},
+    {"", "light_source { 0, 1 looks_like { ", "sphere { 0, 1 }", "} }", ""},
     {"sphere { 0, ", "(", "1", ")", "}"},
     {"sphere { 0, ", "(1 ? ", "1", ": 1)", "}"},
     {"sphere { 0, ", "-", "1", "", "}"},

@@ -53,6 +53,77 @@ TEST(Compile, BlackLightsAreLeftOut) {
     EXPECT_TRUE(world.features.area_lights);
 }
 
+TEST(Compile, LightsOfGroupsShineOnTheirGroups) {
+    // The second light is black and left out.
+    Scene scene;
+    scene.light_groups = 3;
+    scene.lights.resize(5);
+    for (std::uint32_t i = 0; i < 5; ++i) scene.lights[i].color = Rgb(i == 1 ? 0.0 : 1.0), scene.lights[i].group = i == 0 ? 0 : i - 1;
+    const auto lights_of = [&](std::uint32_t group, bool own_only) {
+        Object object = with_color(Sphere{Vec3(0.0), 1.0}, opaque);
+        object.light_group = group;
+        object.own_lights_only = own_only;
+        scene.objects = {object};
+        const World world = compiled(scene);
+        std::vector<bool> list;
+        for (std::uint32_t i = 0; i < world.lights.size(); ++i) list.push_back(world.lights_up(i, 0));
+        return list;
+    };
+    EXPECT_EQ(lights_of(0, false), (std::vector<bool>{true, false, false, false}));
+    EXPECT_EQ(lights_of(1, false), (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(lights_of(2, true), (std::vector<bool>{false, false, true, false}));
+    EXPECT_EQ(lights_of(3, true), (std::vector<bool>{false, false, false, true}));
+    scene.light_groups = 0;
+    EXPECT_FALSE(compiled(scene).features.light_groups);
+}
+
+TEST(Compile, MasksAreMetByTheirLightAlone) {
+    Scene scene;
+    Light light;
+    light.color = Rgb(1.0);
+    scene.lights = {light, light};
+    scene.lights[0].color = Rgb(0.0);  // left out
+    scene.lights[1].mask = Mask{{Solid{Sphere{Vec3(5, 0, 0), 1.0}, {}, false}, Solid{Sphere{Vec3(10, 0, 0), 1.0}, {}, false}}, {}};
+    for (const double x : {0.0, 15.0}) scene.objects.push_back(with_color(Sphere{Vec3(x, 0, 0), 1.0}, opaque));
+    for (const IndexKind kind : {IndexKind::brute_force, IndexKind::embree}) {
+        CompileOptions options;
+        options.index = kind;
+        const World world = compiled(scene, options);
+        EXPECT_NEAR(world.scene_size, 17.0, 1e-9);
+        const Ray at_mask{{10, 0, -5}, {0, 0, 1}}, along{{2, 0, 0}, {1, 0, 0}}, at_last{{15, 0, -5}, {0, 0, 1}};
+        Hit hit;
+        EXPECT_FALSE(world.nearest(at_mask, {}, RayKind::image, hit) || world.nearest(at_mask, {}, RayKind::shadow, hit));
+        EXPECT_FALSE(world.occluded(at_mask, {}));
+        EXPECT_TRUE(world.nearest(at_last, {}, RayKind::image, hit));
+        EXPECT_EQ(world.through(0, at_mask, {}), 4.0);
+        EXPECT_EQ(world.through(0, along, {}), 2.0) << "the first one on the way";
+        EXPECT_EQ(world.through(0, at_last, {}), std::nullopt);
+        EXPECT_EQ(world.through(0, at_mask, {0.0, 3.0}), std::nullopt);
+    }
+}
+
+TEST(Compile, MasksCanBeSets) {
+    // The half of a sphere with x above 0.
+    Scene scene;
+    Light light;
+    light.color = Rgb(1.0);
+    Mask mask{{Solid{Sphere{Vec3(0.0), 1.0}, {}, false}}, std::vector<ObjectSet>(1)};
+    mask.sets[0].nodes.resize(3);
+    mask.sets[0].nodes[0].kind = SetNode::Kind::all;
+    mask.sets[0].nodes[0].size = 3;
+    mask.sets[0].nodes[2].kind = SetNode::Kind::solid;
+    mask.sets[0].solids = {Solid{Plane{Vec3(-1, 0, 0), 0.0}, {}, false}};
+    light.mask = mask;
+    scene.lights = {light, light};
+    scene.objects.push_back(with_color(Sphere{Vec3(0, 5, 0), 1.0}, opaque));
+    const World world = compiled(scene);
+    for (const std::uint32_t i : {0u, 1u}) {
+        EXPECT_NEAR(world.through(i, {{0.6, 0, -5}, {0, 0, 1}}, {}).value_or(0.0), 4.2, 1e-12);
+        EXPECT_EQ(world.through(i, {{-0.6, 0, -5}, {0, 0, 1}}, {}), std::nullopt);
+        EXPECT_EQ(world.through(i, {{0, 5, -5}, {0, 0, 1}}, {}), std::nullopt);
+    }
+}
+
 TEST(Compile, AreaLightsHaveAtMostTheLampsAskedFor) {
     Scene scene;
     Light light;

@@ -18,6 +18,8 @@ void check_light(const Scene& scene, const Light& light) {
     if (light.parallel) fail(scene, light.span, "A parallel lamp");
     if (light.shadowless) fail(scene, light.span, "A lamp without shadows");
     if (light.area) fail(scene, light.span, "An area light");
+    if (light.mask) fail(scene, light.span, "A lamp that is projected through something");
+    if (light.group != 0) fail(scene, light.span, "A lamp of a group");
     if (light.fade_power != 0.0 && light.fade_distance != 0.0) fail(scene, light.span, "A lamp that fades");
 }
 

@@ -254,7 +254,7 @@ FAULTS = {
         "only the first light shines",
         [
             (COURSE, "i < [[world_.lights.size()]]; ++i) {", "std::min<std::size_t>(1, world_.lights.size())"),
-            (LIGHTING, "i < [[sources_.size()]]; ++i) one_light", "std::min<std::size_t>(1, sources_.size())"),
+            (LIGHTING, "i < [[sources_.size()]]; ++i)\n        if (!grouped", "std::min<std::size_t>(1, sources_.size())"),
         ],
     ),
     "lit_from_behind": (
