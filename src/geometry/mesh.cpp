@@ -1,5 +1,7 @@
 #include "geometry/mesh.h"
 
+#include <algorithm>
+
 namespace rt {
 
 Bounds bounds(const Mesh& shape) {
@@ -13,6 +15,26 @@ Vec2 uv(const MeshData& mesh, std::size_t face, const ShapeHit& hit) {
     if (mesh.uv_faces.empty() || mesh.uv_faces[face][0] == MeshData::flat) return Vec2(0.0);
     const MeshData::Face& f = mesh.uv_faces[face];
     return (1.0 - hit.u - hit.v) * mesh.uvs[f[0]] + hit.u * mesh.uvs[f[1]] + hit.v * mesh.uvs[f[2]];
+}
+
+void texture_weights(const FaceTextures& textures, std::size_t face, const ShapeHit& hit, double least, std::vector<TextureWeight>& out) {
+    const std::uint32_t* const numbers = &textures.numbers[textures.by_corner ? 3 * face : face];
+    if (!textures.by_corner || (numbers[0] == numbers[1] && numbers[0] == numbers[2])) {
+        out.push_back({numbers[0], 1.0});
+        return;
+    }
+    const std::array<double, 3> weights{1.0 - hit.u - hit.v, hit.u, hit.v};
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (weights[corner] < least) continue;
+        const std::uint32_t number = numbers[corner];
+        const auto known =
+            std::find_if(out.begin() + first, out.end(), [number](const TextureWeight& other) { return other.texture == number; });
+        if (known == out.end())
+            out.push_back({number, weights[corner]});
+        else
+            known->weight += weights[corner];
+    }
 }
 
 }  // namespace rt

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/ray.h"
 #include "core/shared.h"
 #include "geometry/hit.h"
+#include "geometry/texture_weight.h"
 
 namespace rt {
 
@@ -25,14 +27,25 @@ struct MeshData {
     bool operator==(const MeshData&) const = default;
 };
 
+/// Which of the textures that a mesh states its faces show, as numbers of `TextureWeight`.
+struct FaceTextures {
+    bool by_corner = false;              ///< three numbers a face, one for each corner, that are mixed between them; else one
+    std::vector<std::uint32_t> numbers;  ///< of the faces in order
+    bool operator==(const FaceTextures&) const = default;
+};
+
 /// Cheap to copy: copies share the data.
 struct Mesh {
     Shared<MeshData> data;
+    std::optional<Shared<FaceTextures>> textures = std::nullopt;  ///< unset: all faces show the texture of the object
     bool operator==(const Mesh&) const = default;
 };
 
 /// (u, v) at a hit on face number `face`, u and v of the hit being the weights of its second and third corner.
 Vec2 uv(const MeshData& mesh, std::size_t face, const ShapeHit& hit);
+
+/// Appends what shows at such a hit, each texture once: those of corners whose weight is not below `least`.
+void texture_weights(const FaceTextures& textures, std::size_t face, const ShapeHit& hit, double least, std::vector<TextureWeight>& out);
 
 inline bool contains(const Mesh&, const Vec3&) { return false; }
 Bounds bounds(const Mesh& shape);

@@ -33,6 +33,8 @@ struct Object {
     std::optional<Transform> transform;
     std::optional<TextureLayers> texture;  ///< always set by the parser (the default texture at the object's end)
     std::optional<TextureLayers> interior_texture;
+    /// Of parts of the shape, which names them by their numbers here (geometry/texture_weight.h); unset: none is stated.
+    std::optional<Shared<std::vector<TextureLayers>>> shape_textures;
     std::optional<Shared<Interior>> interior;
     bool no_shadow = false;
     bool no_image = false;

@@ -110,6 +110,7 @@ void parse_modifiers(Reader& reader, Draft& draft, const ShapeSyntax* shape) {
         }
     }
     settle(reader, draft, false);
+    if (draft.shape_texture_motion) move_layers(reader, *draft.object.shape_textures, *draft.shape_texture_motion);
     settle_set(reader, reader.peek().span, draft);
     warn_of_bound(reader, draft);
     if (draft.object.interior_texture && !draft.object.texture && reader.at_block_end())
@@ -130,6 +131,7 @@ void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
     if (draft.object.uv_mapping) return;  // its surface takes its coordinates along
     if (draft.object.texture) append(draft.texture_motion, t);
     if (draft.object.interior_texture) append(draft.interior_texture_motion, t);
+    if (draft.object.shape_textures) append(draft.shape_texture_motion, t);
 }
 
 ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const ShapeSyntax* shape) {

@@ -17,6 +17,7 @@ struct Draft {
     bool exists = true;  ///< false: it can never be hit, only its text has to be read
     std::optional<Transform> texture_motion;
     std::optional<Transform> interior_texture_motion;
+    std::optional<Transform> shape_texture_motion;
     std::unique_ptr<SetValue> set;  ///< of a set, or a shape that is clipped; its `whole` is not in use
     std::optional<Transform> set_motion;
 

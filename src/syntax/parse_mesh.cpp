@@ -2,8 +2,7 @@
 #include <array>
 #include <optional>
 
-#include "syntax/parse_shape.h"
-#include "syntax/unmodelled.h"
+#include "syntax/mesh_textures.h"
 
 namespace rt {
 
@@ -42,11 +41,29 @@ std::optional<CornerUvs> accept_uvs(Reader& reader) {
     return uvs;
 }
 
-void skip_texture(Reader& reader) {
-    const Token next = reader.peek();
-    if (!reader.accept(Word::texture) && !reader.accept(Word::texture_list)) return;
-    reader.unmodelled(next.span, "texture of a mesh triangle");
-    skip_inner_block(reader);
+/// A declared texture, by its name alone.
+std::uint32_t parse_texture_name(Reader& reader, MeshTextures& textures) {
+    const TextureLayers* declared = reader.accept_declared<TextureLayers>();
+    if (!declared) reader.fail_expected("texture identifier");
+    return textures.number_of(*declared);
+}
+
+/// Of the corners of a triangle. Of several textures the last one counts.
+MeshTextures::Corners parse_textures(Reader& reader, MeshTextures& textures) {
+    MeshTextures::Corners corners = MeshTextures::none;
+    while (reader.accept(Word::texture)) {
+        reader.begin_block("texture");
+        corners.fill(parse_texture_name(reader, textures));
+        reader.end_block();
+    }
+    if (!reader.accept(Word::texture_list)) return corners;
+    reader.begin_block("texture_list");
+    for (std::uint32_t& corner : corners) {
+        corner = parse_texture_name(reader, textures);
+        reader.accept_comma();
+    }
+    reader.end_block();
+    return corners;
 }
 
 /// Of the face that was added last. The faces before the first one that states something have nothing of it.
@@ -70,7 +87,7 @@ void add_triangle(MeshData& mesh, const Corner (&corner)[3], bool smooth, const 
     add_stated(uvs ? &*uvs : nullptr, mesh.faces.size(), mesh.uvs, mesh.uv_faces);
 }
 
-bool accept_triangle(Reader& reader, MeshData& mesh) {
+bool accept_triangle(Reader& reader, MeshData& mesh, MeshTextures& textures) {
     const bool smooth = reader.accept(Word::smooth_triangle);
     if (!smooth && !reader.accept(Word::triangle)) return false;
     reader.begin_block(smooth ? "smooth_triangle" : "triangle");
@@ -80,10 +97,12 @@ bool accept_triangle(Reader& reader, MeshData& mesh) {
         if (i != 2) reader.accept_comma();
     }
     const std::optional<CornerUvs> uvs = accept_uvs(reader);
-    skip_texture(reader);
+    const MeshTextures::Corners corner_textures = parse_textures(reader, textures);
     reader.end_block();
     if (mesh.vertices.size() > MeshData::flat - 4) reader.fail(reader.peek().span, "Too many triangles in one mesh.");
+    const std::size_t face = mesh.faces.size();
     add_triangle(mesh, corner, smooth, uvs);
+    if (mesh.faces.size() > face) textures.add_face(face, corner_textures);
     return true;
 }
 
@@ -91,10 +110,11 @@ bool accept_triangle(Reader& reader, MeshData& mesh) {
 
 ParsedShape parse_mesh(Reader& reader) {
     MeshData mesh;
-    while (accept_triangle(reader, mesh)) continue;
+    MeshTextures textures;
+    while (accept_triangle(reader, mesh, textures)) continue;
     if (mesh.faces.empty()) reader.fail(reader.peek().span, "No triangles in triangle mesh.");
     if (reader.accept(Word::inside_vector)) reader.parse_vector();
-    return Mesh{std::move(mesh)};
+    return textures.finish(std::move(mesh));
 }
 
 }  // namespace rt

@@ -1,9 +1,9 @@
 // mesh2 { } : vertex lists and faces of indices.
 #include <fmt/format.h>
 
+#include "syntax/blocks.h"
+#include "syntax/mesh_textures.h"
 #include "syntax/parameters.h"
-#include "syntax/parse_shape.h"
-#include "syntax/unmodelled.h"
 
 namespace rt {
 
@@ -14,7 +14,8 @@ constexpr MeshData::Face flat_face{MeshData::flat, MeshData::flat, MeshData::fla
 struct Mesh2 {
     MeshData data;
     std::vector<char> kept;  ///< a stated face: 0 if it was degenerate and is left out
-    std::size_t textures = 0;
+    MeshTextures textures;
+    std::vector<std::uint32_t> texture_numbers;  ///< of those in the list
 };
 
 /// The shortest vector that a list can hold is one character and a blank.
@@ -68,12 +69,17 @@ void parse_uvs(Reader& reader, std::vector<Vec2>& uvs) {
     reader.end_block();
 }
 
-/// A list of textures for the faces is not modelled; its length is needed to read the indices.
-void skip_texture_list(Reader& reader, const Token& word, Mesh2& mesh) {
-    reader.unmodelled(word.span, "texture_list");
+void parse_texture_list(Reader& reader, Mesh2& mesh) {
     reader.begin_block("texture_list");
-    mesh.textures = parse_count(reader);
-    skip_to_block_end(reader);
+    const std::size_t count = parse_count(reader);
+    reader.accept_comma();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!reader.accept(Word::texture)) reader.fail_expected("texture");
+        std::optional<TextureLayers> layers;
+        parse_texture(reader, layers);
+        mesh.texture_numbers.push_back(mesh.textures.number_of(*layers));
+        reader.accept_comma();
+    }
     reader.end_block();
 }
 
@@ -96,13 +102,19 @@ bool at_vector(Reader& reader) {
 }
 
 /// A face may be followed by one texture index or three: as many as there are numbers before the next vector.
-void skip_texture_indices(Reader& reader, const Mesh2& mesh) {
-    for (int i = 0; i < 3 && reader.at_expression() && !at_vector(reader); ++i) {
+MeshTextures::Corners parse_texture_indices(Reader& reader, const Mesh2& mesh) {
+    MeshTextures::Corners corners = MeshTextures::none;
+    int count = 0;
+    for (; count < 3 && reader.at_expression() && !at_vector(reader); ++count) {
         const int index = parse_int(reader);
-        if (index < 0 || static_cast<std::size_t>(index) >= mesh.textures)
+        if (index < 0 || static_cast<std::size_t>(index) >= mesh.texture_numbers.size())
             reader.fail(reader.peek().span, "Texture index out of range in mesh2.");
+        corners[count] = mesh.texture_numbers[static_cast<std::size_t>(index)];
         reader.accept_comma();
     }
+    if (count == 2) reader.fail(reader.peek().span, "A face of a mesh2 has one texture index or three.");
+    if (count == 1) corners.fill(corners[0]);
+    return corners;
 }
 
 void parse_faces(Reader& reader, Mesh2& mesh) {
@@ -117,10 +129,12 @@ void parse_faces(Reader& reader, Mesh2& mesh) {
     for (std::size_t i = 0; i < count; ++i) {
         const MeshData::Face face = parse_indices(reader, data.vertices.size(), "Mesh face index out of range.");
         reader.accept_comma();
-        skip_texture_indices(reader, mesh);
+        const MeshTextures::Corners textures = parse_texture_indices(reader, mesh);
         const bool keep = !is_degenerate_triangle(data.vertices[face[0]], data.vertices[face[1]], data.vertices[face[2]]);
         mesh.kept.push_back(keep);
-        if (keep) data.faces.push_back(face);
+        if (!keep) continue;
+        mesh.textures.add_face(data.faces.size(), textures);
+        data.faces.push_back(face);
     }
     reader.end_block();
 }
@@ -178,12 +192,12 @@ void parse_lists(Reader& reader, Mesh2& mesh) {
         } else if (reader.accept(Word::uv_vectors)) {
             warn_duplicate(reader, !mesh.data.uvs.empty(), "uv_vectors");
             parse_uvs(reader, mesh.data.uvs);
-        } else if (reader.accept(Word::texture_list)) {
-            skip_texture_list(reader, next, mesh);
         } else {
-            return;
+            break;
         }
     }
+    if (mesh.data.vertices.empty()) reader.fail(reader.peek().span, "Vertex vectors not found in mesh2");
+    if (reader.accept(Word::texture_list)) parse_texture_list(reader, mesh);
 }
 
 }  // namespace
@@ -192,7 +206,6 @@ ParsedShape parse_mesh2(Reader& reader) {
     Mesh2 mesh;
     parse_lists(reader, mesh);
     MeshData& data = mesh.data;
-    if (data.vertices.empty()) reader.fail(reader.peek().span, "Vertex vectors not found in mesh2");
     if (!reader.accept(Word::face_indices)) reader.fail_expected("face_indices");
     parse_faces(reader, mesh);
     bool has_normal_indices = false;
@@ -218,7 +231,7 @@ ParsedShape parse_mesh2(Reader& reader) {
     settle_uvs(reader, data);
     if (reader.accept(Word::inside_vector)) reader.parse_vector();
     if (data.faces.empty()) return std::nullopt;
-    return Mesh{std::move(data)};
+    return mesh.textures.finish(std::move(data));
 }
 
 }  // namespace rt

@@ -15,8 +15,9 @@ ObjectValue parse_shape_block(Reader& reader, const ShapeSyntax& shape) {
         draft = draft_of(*declared);
     } else {
         ParsedShape parsed = shape.parse(reader);
-        draft->exists = parsed.has_value();
-        if (parsed) draft->object.shape = std::move(*parsed);
+        draft->exists = parsed.shape.has_value();
+        if (parsed.shape) draft->object.shape = std::move(*parsed.shape);
+        if (!parsed.textures.empty()) draft->object.shape_textures = std::move(parsed.textures);
     }
     return finish_object(reader, std::move(draft), &shape);
 }

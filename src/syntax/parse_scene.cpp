@@ -45,6 +45,26 @@ void share_texture(const std::vector<Object>& placed, TextureLayers& layers) {
     if (prints_the_same((*last)->front(), layers->front())) layers = *last;
 }
 
+bool states_interior(const TextureLayers& layers) {
+    const auto* top = std::get_if<PlainTexture>(&layers->back().content);
+    return top && (top->finish.ior || top->finish.refraction || top->finish.caustics);
+}
+
+/// A mesh of which all faces show one texture is an object with that texture: some exporters write a mesh for every triangle.
+void take_only_texture(Object& object) {
+    auto* const mesh = std::get_if<Mesh>(&object.shape);
+    if (!mesh || !mesh->textures || (*mesh->textures)->by_corner) return;
+    const std::vector<std::uint32_t>& numbers = (*mesh->textures)->numbers;
+    if (std::any_of(numbers.begin(), numbers.end(), [&](std::uint32_t number) { return number != numbers.front(); })) return;
+    if (numbers.front() != TextureWeight::of_object) {
+        const TextureLayers only = (**object.shape_textures)[numbers.front()];
+        if (states_interior(*object.texture) || states_interior(only)) return;
+        object.texture = only;
+    }
+    mesh->textures.reset();
+    object.shape_textures.reset();
+}
+
 /// Makes room for as many objects as the rest of the file would hold at the rate so far: what moves when the list grows has to be paid
 /// for in pages, which cost as much as reading.
 void make_room(Reader& reader) {
@@ -58,8 +78,11 @@ void make_room(Reader& reader) {
 
 void place_object(Reader& reader, Object object) {
     if (!object.texture) object.texture = reader.default_texture();
+    take_only_texture(object);
     count_texture(reader, object.span, *object.texture);
     if (object.interior_texture) count_texture(reader, object.span, *object.interior_texture);
+    if (object.shape_textures)
+        for (const TextureLayers& layers : **object.shape_textures) count_texture(reader, object.span, layers);
     share_texture(reader.scene().objects, *object.texture);
     make_room(reader);
     reader.scene().objects.push_back(std::move(object));

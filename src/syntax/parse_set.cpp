@@ -43,16 +43,27 @@ public:
     MovedTextures(Reader& reader, const Transform& t) : reader_(reader), t_(t) {}
 
     void move(std::optional<TextureLayers>& layers) {
-        if (!layers || !has_any_pattern(*layers)) return;
-        const auto [known, is_new] = moved_.try_emplace(layers->identity(), *layers, *layers);
-        if (is_new) move_layers(reader_, known->second.second, t_);
-        layers = known->second.second;
+        if (layers && has_any_pattern(*layers)) move(*layers, moved_);
+    }
+    void move(std::optional<Shared<std::vector<TextureLayers>>>& textures) {
+        if (textures) move(*textures, moved_lists_);
     }
 
 private:
+    template <typename T>
+    using Moved = std::unordered_map<const void*, std::pair<T, T>>;  ///< as it was, which keeps the address, and as it is
+
+    template <typename T>
+    void move(T& textures, Moved<T>& moved) {
+        const auto [known, is_new] = moved.try_emplace(textures.identity(), textures, textures);
+        if (is_new) move_layers(reader_, known->second.second, t_);
+        textures = known->second.second;
+    }
+
     Reader& reader_;
     const Transform& t_;
-    std::unordered_map<const void*, std::pair<TextureLayers, TextureLayers>> moved_;  ///< as it was, which keeps the address, and as it is
+    Moved<TextureLayers> moved_;
+    Moved<Shared<std::vector<TextureLayers>>> moved_lists_;
 };
 
 void move(Reader& reader, const Span& place, std::optional<Transform>& transform, const Transform& t) {
@@ -157,6 +168,7 @@ void move_set(Reader& reader, const Span& place, SetValue& set, const Transform&
         if (object.uv_mapping) continue;  // its surface takes its coordinates along
         textures.move(object.texture);
         textures.move(object.interior_texture);
+        textures.move(object.shape_textures);
     }
     for (ObjectSet* bodies : {&set.parts.set, &set.clip, &set.bound}) move(reader, place, *bodies, t);
     for (Light& light : set.parts.lights) transform_light(reader, place, light, t);

@@ -1,12 +1,21 @@
 // Shapes: the parameters between a shape's '{' and its modifiers.
 #pragma once
 
+#include <concepts>
+
 #include "syntax/reader.h"
 
 namespace rt {
 
 /// What was read: no shape if it can never be hit (a degenerate triangle, ...), for which POV-Ray's warning was given.
-using ParsedShape = std::optional<Shape>;
+struct ParsedShape {
+    ParsedShape(std::nullopt_t) {}  // NOLINT: implicit, as that of an optional
+    template <std::convertible_to<Shape> S>
+    ParsedShape(S read, std::vector<TextureLayers> stated = {}) : shape(std::move(read)), textures(std::move(stated)) {}  // NOLINT
+
+    std::optional<Shape> shape;
+    std::vector<TextureLayers> textures;  ///< of its parts, by their numbers
+};
 
 /// How a shape is read; `word` is none if it is no shape's word.
 struct ShapeSyntax {

@@ -90,6 +90,12 @@ void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t)
 
 void move_layers(Reader& reader, TextureLayers& layers, const Transform& t) { transform_all(edit_all(reader, layers), t, true); }
 
+void move_layers(Reader& reader, Shared<std::vector<TextureLayers>>& textures, const Transform& t) {
+    if (std::none_of(textures->begin(), textures->end(), has_any_pattern)) return;
+    for (TextureLayers& layers : textures.edit())
+        if (has_any_pattern(layers)) move_layers(reader, layers, t);
+}
+
 bool is_patterned(const TextureLayers& layers) {
     return !layers->empty() && std::holds_alternative<Shared<PatternTexture>>(layers->back().content);
 }

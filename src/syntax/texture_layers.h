@@ -16,6 +16,8 @@ void stack(Reader& reader, const Span& place, std::optional<TextureLayers>& laye
 void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t);
 /// What moves their object: surfaces take their own coordinates along.
 void move_layers(Reader& reader, TextureLayers& layers, const Transform& t);
+/// The same for several textures, of which those that look the same everywhere stay as they are.
+void move_layers(Reader& reader, Shared<std::vector<TextureLayers>>& textures, const Transform& t);
 bool is_patterned(const TextureLayers& layers);     ///< a pattern of textures
 bool has_any_pattern(const TextureLayers& layers);  ///< does it look different when it is moved?
 Pigment default_pigment(Reader& reader);

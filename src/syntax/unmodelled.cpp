@@ -14,7 +14,7 @@ constexpr std::initializer_list<Word> patterns{Word::pavement, Word::tiling};
 constexpr std::initializer_list<Word> items{Word::media};
 
 /// Features that are worth a line of their own where they stand inside something that is skipped as a whole.
-constexpr std::initializer_list<Word> inner_features{Word::density, Word::dispersion, Word::material_map, Word::media, Word::texture_list};
+constexpr std::initializer_list<Word> inner_features{Word::density, Word::dispersion, Word::material_map, Word::media};
 
 bool contains(std::initializer_list<Word> words, Word w) { return std::find(words.begin(), words.end(), w) != words.end(); }
 

@@ -64,7 +64,7 @@ Recursion::Recursion(const World& world, const TraceOptions& options)
       quality_(options.quality),
       rules_(options.distances, world.scene_extent, world.scene_size),
       lighting_(world, options, rules_),
-      layers_at_(world, {options.quality.quick_colors, options.quality.normals}),
+      layers_at_(world, {options.quality.quick_colors, options.quality.normals, options.adc_bailout.value_or(world.adc_bailout)}),
       environment_(options.environment),
       atmosphere_(world),
       max_level_(std::clamp(options.max_trace_level.value_or(world.max_trace_level), 1, GlobalSettings::highest_trace_level)),
@@ -183,7 +183,7 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     if (material.can_transmit || material.can_reflect) surface.crossing = meet(world_, inside(), object.interior);
     const SeenSurface seen{*found, surface.at.point, surface.at.normal, surface.at.direction};
     const SampledTexture& texture = layers_at_.at(object, surface.at.inside, seen);
-    if (texture.shares.size() > 1) {
+    if (texture.is_mixture()) {
         mix(surface, SampledTexture(texture), *found, path, result);
         return false;
     }

@@ -26,7 +26,7 @@ Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOpti
       rules_(rules),
       tinted_(world.features.transmits && options.shadows == ShadowKind::full),
       opaque_first_(options.distances == Distances::scaled),
-      layers_(world, {options.quality.quick_colors, has_caustics(world)}),
+      layers_(world, {options.quality.quick_colors, has_caustics(world), options.adc_bailout.value_or(world.adc_bailout)}),
       blockers_(world.lights.size()) {}
 
 [[gnu::noinline]] bool Shadows::comes_through(std::uint32_t light, const SurfacePoint& at, LightRay& ray) const {
@@ -101,12 +101,14 @@ Rgb Shadows::filtered(const Hit& hit, const Vec3& point, const Vec3& direction, 
         return filter;
     }
     Rgb sum(0.0);
+    double shown = 0.0;  // less than 1 where some textures had too little weight
     std::size_t i = 0;
     for (const TextureShare& share : texture.shares) {
         for (filter = Rgb(1.0); i < share.end; ++i) filter *= layer_filter(texture.layers[i]);
         sum += share.weight * filter;
+        shown += share.weight;
     }
-    return sum;
+    return shown * sum;
 }
 
 void Shadows::fade(std::uint32_t interior, double segment, Rgb& light) {

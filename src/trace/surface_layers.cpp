@@ -2,9 +2,13 @@
 
 namespace rt {
 
-SurfaceLayers::Side SurfaceLayers::side(const std::vector<LayerNode>& layers, bool uses_uv) const {
+SurfaceLayers::Side SurfaceLayers::side(const Material& material, bool inside) const {
+    const bool two_faced = inside && !material.interior_layers.empty();
+    const std::vector<LayerNode>& layers = two_faced ? material.interior_layers : material.layers;
     Side side;
-    side.uses_uv = uses_uv;
+    side.uses_uv = material.uses_uv;
+    if (!two_faced) side.shape_textures = material.shape_textures;
+    if (!side.shape_textures.empty()) side.varying = &layers;
     for (const LayerNode& layer : layers)
         if (layer.textures || (layer.normal && question_.normals) || layer.pigment.front().surface) side.varying = &layers;
     if (side.varying == nullptr) sample(layers, {}, question_, side.constant);
@@ -13,8 +17,8 @@ SurfaceLayers::Side SurfaceLayers::side(const std::vector<LayerNode>& layers, bo
 
 SurfaceLayers::SurfaceLayers(const World& world, const TextureQuestion& question) : world_(world), question_(question) {
     for (const Material& material : world.materials) {
-        outside_.push_back(side(material.layers, material.uses_uv));
-        inside_.push_back(side(material.interior_layers.empty() ? material.layers : material.interior_layers, material.uses_uv));
+        outside_.push_back(side(material, false));
+        inside_.push_back(side(material, true));
     }
 }
 
@@ -25,7 +29,24 @@ const SampledTexture& SurfaceLayers::at(const CompiledObject& object, bool insid
     if (side.uses_uv) point.uv = world_.uv(seen.hit, seen.point);
     scratch_.layers.clear();
     scratch_.shares.clear();
+    if (!side.shape_textures.empty()) return blend(side, point, seen);
     sample(*side.varying, point, question_, scratch_);
+    return scratch_;
+}
+
+/// The textures of the shape's parts that show at the point, each with its weight.
+[[gnu::noinline]] const SampledTexture& SurfaceLayers::blend(const Side& side, const TexturePoint& point, const SeenSurface& seen) {
+    weights_.clear();
+    world_.texture_weights(seen.hit, seen.point, question_.least_weight, weights_);
+    const auto layers = [&](const TextureWeight& shown) -> const std::vector<LayerNode>& {
+        return shown.texture == TextureWeight::of_object ? *side.varying : world_.materials[side.shape_textures[shown.texture]].layers;
+    };
+    if (weights_.size() == 1 && weights_.front().weight == 1.0) {
+        sample(layers(weights_.front()), point, question_, scratch_);
+        return scratch_;
+    }
+    for (const TextureWeight& shown : weights_) sample_share(layers(shown), shown.weight, point, question_, scratch_);
+    if (weights_.empty()) scratch_.shares.push_back({0.0, 0});  // nothing has weight enough: black
     return scratch_;
 }
 

@@ -27,15 +27,18 @@ private:
     /// One side of a material: `constant`, unless it depends on the point.
     struct Side {
         const std::vector<LayerNode>* varying = nullptr;
+        std::span<const std::uint32_t> shape_textures;  ///< their materials
         bool uses_uv = false;
         SampledTexture constant;
     };
-    Side side(const std::vector<LayerNode>& layers, bool uses_uv) const;
+    Side side(const Material& material, bool inside) const;
+    const SampledTexture& blend(const Side& side, const TexturePoint& point, const SeenSurface& seen);
 
     const World& world_;
     TextureQuestion question_;
     std::vector<Side> outside_, inside_;  ///< by material
     SampledTexture scratch_;
+    std::vector<TextureWeight> weights_;
 };
 
 }  // namespace rt

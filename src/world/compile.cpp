@@ -181,6 +181,16 @@ Bounds box_around(const Surfaces& surfaces) {
     return all;
 }
 
+/// Of the object that was added last, where its material asks for one.
+void add_frame(const Object& object, const Material& material, World& world) {
+    if (!material.uses_uv && material.shape_textures.empty()) return;
+    world.objects.back().frame = static_cast<std::uint32_t>(world.frames.size());
+    const auto* mesh = std::get_if<Mesh>(&object.shape);
+    // The faces of a large mesh are not kept for their textures alone.
+    const Shape shape = mesh != nullptr && !material.uses_uv ? Shape(Mesh{{}, mesh->textures}) : object.shape;
+    world.frames.push_back({shape, object.transform.value_or(Transform{})});
+}
+
 Surfaces compile_objects(const Scene& scene, const CompileOptions& options, const MessageSink& warn, World& world) {
     Surfaces surfaces;
     reserve(scene, surfaces);
@@ -196,10 +206,7 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
         surfaces.add(object, seen_bits(object, materials[material].can_transmit));
         world.objects.push_back({material, interior, object.no_shadow, object.no_image, object.no_reflection, object.double_illuminate,
                                  object.span, loose_triangle});
-        if (materials[material].uses_uv) {
-            world.objects.back().uv_frame = static_cast<std::uint32_t>(world.uv_frames.size());
-            world.uv_frames.push_back({object.shape, object.transform.value_or(Transform{})});
-        }
+        add_frame(object, materials[material], world);
     }
     for (const ObjectSet& set : scene.sets) surfaces.add_set(set);
     add_masks(world, surfaces);

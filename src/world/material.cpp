@@ -58,6 +58,13 @@ void sample(const std::vector<LayerNode>& layers, const TexturePoint& seen, cons
     sample_inside(layers, seen, question, nullptr, 1.0, out);
 }
 
+void sample_share(const std::vector<LayerNode>& layers, double weight, const TexturePoint& seen, const TextureQuestion& question,
+                  SampledTexture& out) {
+    const std::size_t before = out.shares.size();
+    sample_inside(layers, seen, question, nullptr, weight, out);
+    if (out.shares.size() == before) out.shares.push_back({weight, out.layers.size()});
+}
+
 LayerSample top_layer(const std::vector<LayerNode>& layers, const Vec3& point) {
     thread_local SampledTexture texture;
     texture.layers.clear();

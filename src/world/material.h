@@ -59,7 +59,9 @@ void for_each_layer(const std::vector<LayerNode>& layers, const Visit& visit) {
 struct Material {
     std::vector<LayerNode> layers;           ///< top layer first
     std::vector<LayerNode> interior_layers;  ///< seen from inside; empty: `layers`
-    bool can_transmit = false;               ///< some colour in it has |filter| or |transmit| > 1e-10
+    /// Of the textures that the shape states, their materials; empty: it states none. What is said below holds for these as well.
+    std::vector<std::uint32_t> shape_textures;
+    bool can_transmit = false;  ///< some colour in it has |filter| or |transmit| > 1e-10
     bool can_reflect = false;
     bool uses_uv = false;
 };
@@ -74,16 +76,23 @@ struct TextureShare {
 struct SampledTexture {
     std::vector<LayerSample> layers;  ///< of each texture the top one first
     std::vector<TextureShare> shares;
+
+    /// Whether there is more to show than all layers with their whole light.
+    bool is_mixture() const { return !shares.empty() && (shares.size() > 1 || shares.front().weight != 1.0); }
 };
 
 /// What is asked of textures.
 struct TextureQuestion {
     bool quick_colors = false;  ///< where stated
     bool normals = true;
+    double least_weight = 0.0;  ///< textures of a shape's parts that have less than this in a mixture do not show
 };
 
 /// Appends what `layers` is at a point.
 void sample(const std::vector<LayerNode>& layers, const TexturePoint& seen, const TextureQuestion& question, SampledTexture& out);
+/// The same as one of several textures in a mixture, of this weight.
+void sample_share(const std::vector<LayerNode>& layers, double weight, const TexturePoint& seen, const TextureQuestion& question,
+                  SampledTexture& out);
 /// The top layer at a point, without bumps; of a mixture of textures the first one's.
 LayerSample top_layer(const std::vector<LayerNode>& layers, const Vec3& point);
 

@@ -76,7 +76,10 @@ void hash_layers(Hash& hash, const std::vector<Texture>& layers) {
     }
 }
 
-bool same(const TextureLayers* a, const TextureLayers* b) { return a == b || (a && b && *a == *b); }
+template <typename T>
+bool same(const T* a, const T* b) {
+    return a == b || (a && b && *a == *b);
+}
 
 bool can_transmit(const std::vector<LayerNode>& layers) {
     bool any = false;
@@ -186,19 +189,30 @@ std::vector<LayerNode> MaterialTable::make_layers(const std::vector<Texture>& la
     return nodes;
 }
 
-Material MaterialTable::make(const Object& object, const Origin& origin) {
+Material MaterialTable::make(const Origin& origin, const Span& span) {
     Material material;
-    if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, object.uv_mapping, object.span);
-    if (origin.interior_texture)
-        material.interior_layers = make_layers(**origin.interior_texture, origin.ior, object.uv_mapping, object.span);
+    if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, origin.uv_mapping, span);
+    if (origin.interior_texture) material.interior_layers = make_layers(**origin.interior_texture, origin.ior, origin.uv_mapping, span);
     // Beyond what the file shares, each index of refraction makes materials of its own.
     if (nodes_ > max_nodes_ + materials_.size() + 1)
         throw LimitError(scene_.sources.describe(
-            object.span, "Error", fmt::format("The scene's materials have more than {} pigments beyond the first of each.", max_nodes_)));
+            span, "Error", fmt::format("The scene's materials have more than {} pigments beyond the first of each.", max_nodes_)));
     material.can_transmit = can_transmit(material.layers) || can_transmit(material.interior_layers);
     material.can_reflect = can_reflect(material.layers) || can_reflect(material.interior_layers);
     material.uses_uv = uses_uv(material.layers) || uses_uv(material.interior_layers);
+    if (origin.shape_textures) add_shape_textures(origin, span, material);
     return material;
+}
+
+void MaterialTable::add_shape_textures(const Origin& origin, const Span& span, Material& material) {
+    for (const TextureLayers& layers : *origin.shape_textures) {
+        const std::uint32_t index = add({&layers, nullptr, origin.ior, origin.uv_mapping, nullptr, 0}, span);
+        material.shape_textures.push_back(index);
+        const Material& texture = materials_[index];
+        material.can_transmit |= texture.can_transmit;
+        material.can_reflect |= texture.can_reflect;
+        material.uses_uv |= texture.uses_uv;
+    }
 }
 
 std::size_t MaterialTable::hash(const TextureLayers& layers) {
@@ -213,22 +227,29 @@ std::size_t MaterialTable::hash(const TextureLayers& layers) {
 
 std::uint32_t MaterialTable::add(const Object& object) {
     const std::optional<double> stated = stated_ior(object);
-    Origin origin{object.texture ? &*object.texture : nullptr, object.interior_texture ? &*object.interior_texture : nullptr,
-                  stated && *stated > 0.0 ? *stated : 1.5, object.uv_mapping, 0};
+    return add({object.texture ? &*object.texture : nullptr, object.interior_texture ? &*object.interior_texture : nullptr,
+                stated && *stated > 0.0 ? *stated : 1.5, object.uv_mapping, object.shape_textures ? &**object.shape_textures : nullptr, 0},
+               object.span);
+}
+
+std::uint32_t MaterialTable::add(Origin origin, const Span& span) {
     Hash hash;
     hash << origin.ior;
     hash.mix(origin.uv_mapping);
     for (const TextureLayers* layers : {origin.texture, origin.interior_texture})
         if (layers) hash.mix(this->hash(*layers));
+    if (origin.shape_textures)
+        for (const TextureLayers& layers : *origin.shape_textures) hash.mix(this->hash(layers));
     const auto [begin, end] = by_content_.equal_range(hash.value());
     for (auto it = begin; it != end; ++it) {
         const Origin& known = it->second;
         if (known.ior == origin.ior && known.uv_mapping == origin.uv_mapping && same(known.texture, origin.texture) &&
-            same(known.interior_texture, origin.interior_texture))
+            same(known.interior_texture, origin.interior_texture) && same(known.shape_textures, origin.shape_textures))
             return known.material;
     }
+    Material material = make(origin, span);
     origin.material = static_cast<std::uint32_t>(materials_.size());
-    materials_.push_back(make(object, origin));
+    materials_.push_back(std::move(material));
     by_content_.emplace(hash.value(), origin);
     return origin.material;
 }

@@ -28,10 +28,13 @@ private:
         const TextureLayers* interior_texture;
         double ior;
         bool uv_mapping;
+        const std::vector<TextureLayers>* shape_textures;
         std::uint32_t material;
     };
+    std::uint32_t add(Origin origin, const Span& span);
     std::size_t hash(const TextureLayers& layers);
-    Material make(const Object& object, const Origin& origin);
+    Material make(const Origin& origin, const Span& span);
+    void add_shape_textures(const Origin& origin, const Span& span, Material& material);
     std::vector<LayerNode> make_layers(const std::vector<Texture>& layers, double ior, bool uv, const Span& span);
     LayerNode make_layer(const Texture& texture, double ior, bool uv, const Span& span);
     SurfaceFinish make_finish(const Finish& finish, double ior, const Span& span);

@@ -60,7 +60,7 @@ Vec2 further_uv(const FurtherShape& further, const Transform& to_world, const Ve
 
 }  // namespace
 
-Vec2 uv_of(const UvFrame& frame, const Vec3& point, std::size_t face, const ShapeHit& hit) {
+Vec2 uv_of(const ShapeFrame& frame, const Vec3& point, std::size_t face, const ShapeHit& hit) {
     if (const Mesh* mesh = std::get_if<Mesh>(&frame.shape)) return uv(*mesh->data, face, hit);
     return std::visit(
         [&](const auto& shape) -> Vec2 {

@@ -1,6 +1,7 @@
 #include "world/world.h"
 
 #include "world/surface_index.h"
+#include "world/uv_mapping.h"
 
 namespace rt {
 
@@ -31,7 +32,12 @@ Vec3 World::flat_side(const Hit& hit, const Vec3& normal) const { return surface
 
 Vec2 World::uv(const Hit& hit, const Vec3& point) const {
     const std::uint32_t face = hit.primitive - surfaces->surfaces().objects[hit.object].first_primitive;
-    return uv_of(uv_frames[objects[hit.object].uv_frame], point, face, hit.shape);
+    return uv_of(frames[objects[hit.object].frame], point, face, hit.shape);
+}
+
+void World::texture_weights(const Hit& hit, const Vec3& point, double least, std::vector<TextureWeight>& out) const {
+    const std::uint32_t face = hit.primitive - surfaces->surfaces().objects[hit.object].first_primitive;
+    rt::texture_weights(frames[objects[hit.object].frame], point, face, hit.shape, least, out);
 }
 
 bool World::met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const {

@@ -8,7 +8,7 @@
 
 #include "geometry/hit.h"
 #include "world/material.h"
-#include "world/uv_mapping.h"
+#include "world/shape_frame.h"
 
 namespace rt {
 
@@ -38,7 +38,7 @@ struct CompiledObject {
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
     Span span;
     bool loose_triangle = false;  ///< one face of a larger surface, most likely
-    std::uint32_t uv_frame = 0;   ///< index into uv_frames, where the material uses them
+    std::uint32_t frame = 0;      ///< index into frames, where the material uses (u, v) or the textures of a shape
 };
 
 /// Pixel (u, v) in [-1/2, 1/2]^2, v upwards. Perspective: from origin along direction + u right + v up.
@@ -110,6 +110,8 @@ public:
 
     /// (u, v) of a hit on an object whose material uses them.
     Vec2 uv(const Hit& hit, const Vec3& point) const;
+    /// Appends which textures show at a hit on an object whose shape states some: those of mixtures whose weight is below `least` not.
+    void texture_weights(const Hit& hit, const Vec3& point, double least, std::vector<TextureWeight>& out) const;
 
     CameraBasis camera;
     std::vector<Light> lights;
@@ -119,7 +121,7 @@ public:
     std::vector<CompiledObject> objects;
     std::vector<Material> materials;
     std::vector<CompiledInterior> interiors;
-    std::vector<UvFrame> uv_frames;
+    std::vector<ShapeFrame> frames;
     std::vector<Fog> fogs;  ///< those that can be seen; `up` unit
     std::vector<Rainbow> rainbows;
     NoiseGenerator noise = NoiseGenerator::range_corrected;  ///< of turbulent fog and films

@@ -47,9 +47,7 @@ TEST(MeshBlock, ZeroNormalsBecomeX) {
     EXPECT_EQ(std::get<Mesh>(p.scene.objects.at(0).shape).data->normals[0], Vec3(1, 0, 0));
 }
 
-TEST(MeshBlock, TexturesOfTrianglesAreNotModelled) {
-    EXPECT_EQ(parse_block("#declare T = texture { } mesh { triangle { 0, x, y texture { T } } }").error,
-              "'texture of a mesh triangle' is not modelled.");
+TEST(MeshBlock, WhatElseMayStandInATriangle) {
     EXPECT_EQ(parse_block("mesh { triangle { 0, x, y uv_vectors <0,0>, <1,0>, <0,1> } inside_vector z hierarchy off }").error, "");
     EXPECT_EQ(parse_block("mesh { triangle { 0, x, y pigment { rgb 1 } } }").error, "No matching } in 'triangle', pigment found instead");
 }
@@ -117,18 +115,6 @@ TEST(Mesh2Block, DuplicateListsReplaceTheFirst) {
     const ParsedScene p = parse_block("mesh2 { vertex_vectors { 1, 9 } vertex_vectors { 3, 0, x, y } face_indices { 1, <0,1,2> } }");
     EXPECT_THAT(p.messages, ElementsAre(HasSubstr("Duplicate vertex_vectors block; ignoring previous block.")));
     EXPECT_EQ(std::get<Mesh>(p.scene.objects.at(0).shape).data->vertices.size(), 3u);
-}
-
-TEST(Mesh2Block, TextureIndicesArePastTheListsLength) {
-    EXPECT_EQ(parse_mesh2("face_indices { 2, <0,1,2>, 0, <1,2,3> }").error, "Texture index out of range in mesh2.");
-    ParseOptions lenient;
-    lenient.lenient = true;
-    const ParsedScene p =
-        parse_block("mesh2 { " + corners +
-                        "texture_list { 2, texture { } texture { pigment { rgb 1 } } } face_indices { 2, <0,1,2>, 0, <1,2,3>, 0, 1, 1 } }",
-                    lenient);
-    EXPECT_EQ(p.error, "");
-    EXPECT_EQ(std::get<Mesh>(p.scene.objects.at(0).shape).data->faces.size(), 2u);
 }
 
 TEST(MeshBlock, UvsOfTrianglesStandBesideThem) {

@@ -48,6 +48,31 @@ TEST_F(MaterialLimit, OneColorCountsNothing) {
     for (int i = 0; i < 100; ++i) EXPECT_EQ(add(plain, 1.1 + i), static_cast<std::uint32_t>(i));
 }
 
+/// A shape's textures are materials that other objects can have as well, and what they do the object does.
+TEST_F(MaterialLimit, TexturesOfAShapeAreMaterialsOfTheirOwn) {
+    PlainTexture glass, mirror;
+    glass.pigment.content = PigmentColor{Rgb(1.0), 0.0, 0.5};
+    mirror.finish.reflection.min = mirror.finish.reflection.max = Rgb(0.5);
+    const TextureLayers plain = std::vector<Texture>(1), clear = std::vector<Texture>{Texture{glass}},
+                        shiny = std::vector<Texture>{Texture{mirror}};
+    const std::uint32_t alone = add(clear, 1.5);
+    Object mesh = object(plain, 1.5);
+    mesh.shape_textures = std::vector<TextureLayers>{clear, shiny, clear};
+    const std::uint32_t index = table.add(objects.emplace_back(mesh));
+    const Material material = table[index];
+    ASSERT_EQ(material.shape_textures.size(), 3u);
+    EXPECT_EQ(material.shape_textures[0], alone);
+    EXPECT_EQ(material.shape_textures[2], alone);
+    EXPECT_TRUE(material.can_transmit);
+    EXPECT_TRUE(material.can_reflect);
+    EXPECT_TRUE(table[material.shape_textures[1]].can_reflect);
+    EXPECT_FALSE(table[material.shape_textures[1]].can_transmit);
+    EXPECT_EQ(table.add(objects.emplace_back(mesh)), index) << "equal lists are one";
+    mesh.shape_textures = std::vector<TextureLayers>{clear, shiny};
+    EXPECT_NE(table.add(objects.emplace_back(mesh)), index);
+    EXPECT_NE(add(plain, 1.5), index) << "without them the texture is another material";
+}
+
 TEST(AlbedoTables, AreMadeOncePerLobeAndOnlyWhereTheyAreAskedFor) {
     Scene scene;
     CompileOptions options;

@@ -87,6 +87,7 @@ void check_course_scene(const Scene& scene, const MessageSink& warn) {
     std::unordered_set<const void*> seen;  // objects share textures
     for (const Object& object : scene.objects) {
         if (object.interior_texture) fail(scene, object.span, "'interior_texture'");
+        if (object.shape_textures) fail(scene, object.span, "A texture of a part of a shape");
         if (object.texture && seen.insert(object.texture->identity()).second) check_layers(scene, object, **object.texture, warn);
     }
 }

@@ -33,6 +33,10 @@ public:
             features_.insert("interior texture");
             layers(*object.interior_texture);
         }
+        if (object.shape_textures) {
+            features_.insert("textures of parts of shapes");
+            for (const TextureLayers& texture : **object.shape_textures) layers(texture);
+        }
         if (object.interior) interior(**object.interior);
         if (object.transform) features_.insert("object transforms");
         if (object.no_shadow) features_.insert("no_shadow");

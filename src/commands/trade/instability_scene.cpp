@@ -37,9 +37,11 @@ public:
     explicit ScaledTextures(double factor) : larger_(Transform::scale(Vec3(factor))) {}
 
     void scale(std::optional<TextureLayers>& layers) {
-        if (!layers) return;
-        const auto [known, is_new] = made_.try_emplace(layers->identity(), *layers);
-        if (is_new && has_pattern(**layers)) known->second = TextureLayers(scaled(**layers));
+        if (layers) scale(*layers);
+    }
+    void scale(TextureLayers& layers) {
+        const auto [known, is_new] = made_.try_emplace(layers.identity(), layers);
+        if (is_new && has_pattern(*layers)) known->second = TextureLayers(scaled(*layers));
         layers = known->second;
     }
 
@@ -110,6 +112,8 @@ Scene scaled(Scene scene, double factor) {
         scale(object, factor);
         textures.scale(object.texture);
         textures.scale(object.interior_texture);
+        if (object.shape_textures)
+            for (TextureLayers& layers : object.shape_textures->edit()) textures.scale(layers);
     }
     for (ObjectSet& set : scene.sets)
         for (Solid& solid : set.solids) scale(solid.shape, solid.transform, factor);

@@ -142,6 +142,7 @@ TEST(ScaledScene, PatternsGrowOnceAndStayShared) {
     scene.objects[0].texture = TextureLayers({{PlainTexture{outer, {}}}, {PlainTexture{squares(), {}}}});
     scene.objects[0].interior_texture =
         TextureLayers({checker_of({{PlainTexture{squares(), {}}}}, {{PlainTexture{}}}, Transform::translate({1, 0, 0}))});
+    scene.objects[0].shape_textures = std::vector<TextureLayers>{TextureLayers({{PlainTexture{squares(), {}}}})};
     scene.objects.push_back(scene.objects[0]);
     Object plain;
     plain.texture = TextureLayers({{PlainTexture{}}});
@@ -157,6 +158,8 @@ TEST(ScaledScene, PatternsGrowOnceAndStayShared) {
     const PatternTexture& textures = pattern_of((**larger.objects[0].interior_texture)[0]);
     EXPECT_EQ(moved(textures.pattern.pattern, {1, 1, 1}), Vec3(8, 4, 4));
     EXPECT_EQ(std::get<PlainTexture>(textures.map->textures[0]->at(0).content).pigment, squares()) << "likewise";
+    const auto& of_shape = std::get<PlainTexture>((**larger.objects[0].shape_textures)[0]->at(0).content);
+    EXPECT_EQ(moved(of_shape.pigment, {1, 1, 1}), Vec3(4, 4, 4));
     EXPECT_EQ(larger.objects[1].texture->identity(), larger.objects[0].texture->identity());
     EXPECT_EQ(larger.objects[2].texture->identity(), scene.objects[2].texture->identity()) << "nothing in it to grow";
 }

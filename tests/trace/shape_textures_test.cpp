@@ -1,0 +1,122 @@
+// Textures of the parts of a shape, mixed by their weights where the shape says so.
+#include <gtest/gtest.h>
+
+#include "tests/trace/tracer_scene.h"
+
+namespace rt {
+namespace {
+
+using namespace tracer_test;
+
+constexpr double exact = 1e-12;
+constexpr std::uint32_t of_object = TextureWeight::of_object;
+
+TextureLayers layers(const PigmentColor& c, const Finish& finish = plain(Rgb(1.0))) { return std::vector<Texture>{texture(c, finish)}; }
+
+/// The triangle (0, 0), (4, 0), (0, 4) before the z axis, with what its corners show, and the textures they choose from.
+Object face(const std::vector<std::uint32_t>& numbers, std::vector<TextureLayers> textures,
+            const TextureLayers& own = layers(color({1, 1, 1}))) {
+    MeshData data;
+    data.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    data.faces = {{0, 1, 2}};
+    Object mesh = object(Mesh{data, Shared<FaceTextures>({numbers.size() == 3, numbers})}, *own);
+    mesh.shape_textures = std::move(textures);
+    return mesh;
+}
+
+const std::vector<TextureLayers> red_green_blue{layers(color({1, 0, 0})), layers(color({0, 1, 0})), layers(color({0, 0, 1}))};
+const Vec3 ahead{0, 0, 1};
+
+TEST(ShapeTextures, AFaceShowsItsTextureWholly) {
+    EXPECT_RGB_NEAR(Traced(scene_with({face({1}, red_green_blue)})).look({1, 1, -5}, ahead).rgb, Rgb(0, 1, 0), exact);
+    EXPECT_RGB_NEAR(Traced(scene_with({face({of_object}, red_green_blue)})).look({1, 1, -5}, ahead).rgb, Rgb(1, 1, 1), exact);
+}
+
+TEST(ShapeTextures, CornersAreMixedByTheirWeights) {
+    Traced t(scene_with({face({0, 1, 2}, red_green_blue)}));
+    EXPECT_RGB_NEAR(t.look({1, 2, -5}, ahead).rgb, Rgb(0.25, 0.25, 0.5), exact);
+    EXPECT_RGB_NEAR(t.look({0.5, 1, -5}, ahead).rgb, Rgb(0.625, 0.125, 0.25), exact);
+    Traced with_own(scene_with({face({0, of_object, 0}, red_green_blue)}));
+    EXPECT_RGB_NEAR(with_own.look({1, 2, -5}, ahead).rgb, Rgb(1, 0.25, 0.25), exact);
+}
+
+TEST(ShapeTextures, AWeightBelowTheBailoutIsLost) {
+    Scene scene = scene_with({face({0, 1, 2}, red_green_blue)});
+    scene.settings.adc_bailout = 0.3;
+    Traced t(scene);
+    EXPECT_RGB_NEAR(t.look({1, 2, -5}, ahead).rgb, Rgb(0, 0, 0.5), exact);
+    EXPECT_RGB_NEAR(t.look({1.3, 1.3, -5}, ahead).rgb, Rgb(0.35, 0.325, 0.325), exact);
+    scene.settings.adc_bailout = 0.6;
+    const Radiance nothing = Traced(scene).look({1, 2, -5}, ahead);
+    EXPECT_RGB_NEAR(nothing.rgb, Rgb(0.0), exact);
+    EXPECT_EQ(nothing.transmittance, 0.0);
+    TraceOptions low = povray_options();
+    low.adc_bailout = 0.1;
+    EXPECT_RGB_NEAR(Traced(scene, low).look({1, 2, -5}, ahead).rgb, Rgb(0.25, 0.25, 0.5), exact) << "the option counts";
+}
+
+TEST(ShapeTextures, AMixtureLetsThroughWhatItsTexturesDo) {
+    const std::vector<TextureLayers> textures{layers(color({1, 0, 0})), layers(color({0, 0, 0}, 0.0, 1.0), plain())};
+    Traced t(scene_with({face({0, 1, 1}, textures)}, {}, {0.5, 0.5, 1.0}));
+    const Radiance seen = t.look({1, 2, -5}, ahead);
+    EXPECT_RGB_NEAR(seen.rgb, Rgb(0.25 + 0.75 * 0.5, 0.75 * 0.5, 0.75), exact);
+    EXPECT_NEAR(seen.transmittance, 0.0, exact) << "the background is opaque";
+}
+
+/// Measured: what has too little weight neither lets light pass nor stops it, and the rest counts by the square of its weight.
+TEST(ShapeTextures, AMixtureCastsAMixedShadow) {
+    const std::vector<TextureLayers> textures{layers(color({0, 0, 0})), layers(color({0.5, 1, 0.5}, 1.0)),
+                                              layers(color({0, 0, 0}, 0.0, 0.5))};
+    Object mesh = face({0, 1, 2}, textures);
+    mesh.no_image = true;
+    Light sun = point_light({1, 2, -1e6});
+    sun.parallel = true;
+    sun.point_at = {1, 2, 0};
+    Scene scene = scene_with({mesh, object(Plane{{0, 0, -1}, -2.0}, texture(color(Rgb(1.0)), plain(Rgb(0.0), 1.0)))}, {sun});
+    const auto lit = [&] { return Traced(scene).look({1, 2, -5}, ahead).rgb; };
+    EXPECT_RGB_NEAR(lit(), Rgb(0.25 * 0.5 + 0.5 * 0.5, 0.25 + 0.5 * 0.5, 0.25 * 0.5 + 0.5 * 0.5), exact);
+    scene.settings.adc_bailout = 0.3;
+    EXPECT_RGB_NEAR(lit(), Rgb(0.5 * 0.5 * 0.5), exact);
+}
+
+TEST(ShapeTextures, TheInteriorTextureHidesThem) {
+    Object mesh = face({0, 1, 2}, red_green_blue);
+    mesh.interior_texture = layers(color({0.25, 0.5, 0.75}));
+    Traced t(scene_with({mesh}));
+    EXPECT_RGB_NEAR(t.look({1, 2, -5}, ahead).rgb, Rgb(0.25, 0.25, 0.5), exact);
+    EXPECT_RGB_NEAR(t.look({1, 2, 5}, -ahead).rgb, Rgb(0.25, 0.5, 0.75), exact);
+    mesh.interior_texture.reset();
+    EXPECT_RGB_NEAR(Traced(scene_with({mesh})).look({1, 2, 5}, -ahead).rgb, Rgb(0.25, 0.25, 0.5), exact);
+}
+
+TEST(ShapeTextures, APatternOfTexturesMayBeOneOfThem) {
+    PatternTexture halves;
+    halves.pattern.pattern = make_pattern(PatternKind::checker);
+    halves.map = TextureMap{{0.0, 1.0}, {layers(color({1, 0, 0})), layers(color({0, 1, 0}))}};
+    const std::vector<TextureLayers> textures{std::vector<Texture>{Texture{Shared<PatternTexture>(halves)}}, layers(color({0, 0, 1}))};
+    Traced t(scene_with({face({0, 1, 1}, textures)}));
+    const Rgb even = t.look({1.5, 1.5, -5}, ahead).rgb, odd = t.look({0.5, 1.5, -5}, ahead).rgb;
+    EXPECT_DOUBLE_EQ(even.b, 0.75);
+    EXPECT_DOUBLE_EQ(odd.b, 0.5);
+    EXPECT_DOUBLE_EQ(std::fmax(even.r, even.g), 0.25);
+    EXPECT_DOUBLE_EQ(std::fmax(odd.r, odd.g), 0.5);
+    EXPECT_NE(even.r > 0.0, odd.r > 0.0);
+}
+
+TEST(ShapeTextures, PatternsSeeTheFacesOwnCoordinates) {
+    PlainTexture along{checker(color({1, 0, 0}), color({0, 1, 0})), plain(Rgb(1.0))};
+    along.uv_mapping = true;
+    const TextureLayers mapped = std::vector<Texture>{Texture{along}};
+    Object mesh = face({0}, {mapped});
+    MeshData& data = std::get<Mesh>(mesh.shape).data.edit();
+    data.uvs = {{0.5, 0.5}, {2.5, 0.5}, {0.5, 2.5}};
+    data.uv_faces = {{0, 1, 2}};
+    Traced t(scene_with({mesh}));
+    const Rgb first = t.look({0.5, 0.5, -5}, ahead).rgb, second = t.look({1.5, 0.5, -5}, ahead).rgb,
+              third = t.look({1.5, 1.5, -5}, ahead).rgb;
+    EXPECT_RGB_NEAR(first, third, exact);
+    EXPECT_GT(glm::length(first - second), 1.0);
+}
+
+}  // namespace
+}  // namespace rt
