@@ -26,7 +26,8 @@ Object only(const ParsedScene& parsed) {
 }
 
 FaceTextures faces(const ParsedScene& parsed) {
-    const auto& textures = std::get<Mesh>(only(parsed).shape).textures;
+    const Object object = only(parsed);
+    const auto& textures = std::get<Mesh>(object.shape).textures;
     return textures ? **textures : FaceTextures{};
 }
 
