@@ -1,4 +1,5 @@
-// As VTK writes: a blank where the comma before a filter would be, right with a negative x, a colour without rgb for the lamp, a matrix.
+// As VTK writes: a blank where the comma before a filter would be, right with a negative x, a colour without rgb for the lamp, a matrix; a strip
+// of triangles with a texture for each vertex.
 // +W96 +H72
 
 global_settings {
@@ -60,6 +61,43 @@ mesh2 {
 		}
 		finish {
 			ambient 0.100000  diffuse 0.800000  phong 0.300000  phong_size 20.000000 
+		}
+	}
+}
+
+mesh2 {
+	vertex_vectors {
+		5,
+		<1.100000, -0.600000, 1.000000>,
+		<1.900000, -0.700000, 0.500000>,
+		<1.200000, 0.200000, 0.900000>,
+		<1.800000, 0.300000, 0.300000>,
+		<1.300000, 1.000000, 0.600000>,
+	}
+	texture_list {
+		5,
+		texture { pigment {color rgbf <1.000000, 0.000000, 0.000000, 0.800000> } },
+		texture { pigment {color rgbf <1.000000, 0.700000, 0.000000, 0.600000> } },
+		texture { pigment {color rgbf <0.400000, 1.000000, 0.000000, 0.400000> } },
+		texture { pigment {color rgbf <0.000000, 1.000000, 0.800000, 0.200000> } },
+		texture { pigment {color rgbf <0.000000, 0.200000, 1.000000, 0.000000> } },
+	}
+	face_indices {
+		3,
+		<0, 1, 2>, 0, 1, 2,
+		<1, 2, 3>, 1, 2, 3,
+		<2, 3, 4>, 2, 3, 4,
+	}
+	matrix < 1.000000, 0.000000, 0.000000,
+		 0.000000, 1.000000, 0.000000,
+		 0.000000, 0.000000, 1.000000,
+		 0.000000, 0.000000, 0.000000 >
+	texture {
+		pigment {
+			color rgbf <1.000000, 1.000000, 1.000000 0.000000>
+		}
+		finish {
+			ambient 0.000000  diffuse 1.000000  phong 0.000000  phong_size 1.000000
 		}
 	}
 }

@@ -65,6 +65,18 @@ void take_only_texture(Object& object) {
     object.shape_textures.reset();
 }
 
+/// Likewise for a few textures of a shape: those of neighbours on one surface are mostly the same.
+void share_shape_textures(const std::vector<Object>& placed, Object& object) {
+    constexpr std::size_t few = 3;
+    if (!object.shape_textures || placed.empty() || !placed.back().shape_textures) return;
+    const std::vector<TextureLayers>& last = **placed.back().shape_textures;
+    if (last.size() > few || (*object.shape_textures)->size() > few) return;
+    for (TextureLayers& layers : object.shape_textures->edit()) {
+        const auto known = std::find(last.begin(), last.end(), layers);
+        if (known != last.end() && !has_any_pattern(layers)) layers = *known;
+    }
+}
+
 /// Makes room for as many objects as the rest of the file would hold at the rate so far: what moves when the list grows has to be paid
 /// for in pages, which cost as much as reading.
 void make_room(Reader& reader) {
@@ -84,6 +96,7 @@ void place_object(Reader& reader, Object object) {
     if (object.shape_textures)
         for (const TextureLayers& layers : **object.shape_textures) count_texture(reader, object.span, layers);
     share_texture(reader.scene().objects, *object.texture);
+    share_shape_textures(reader.scene().objects, object);
     make_room(reader);
     reader.scene().objects.push_back(std::move(object));
 }

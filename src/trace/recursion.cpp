@@ -13,7 +13,7 @@ namespace {
 
 /// Transparent surfaces that one path passes; behind the last one it is dark. Only absurd scenes have more.
 constexpr int most_crossings = 10000;
-/// Mixtures of transparent textures on one way, each of which doubles the rays; behind so many their shares count for the weights.
+/// Mixtures on one way of textures that part, each of which doubles the rays; behind so many their shares count for the weights.
 constexpr int free_mixtures = 10;
 
 struct Reflectivity {
@@ -183,33 +183,56 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     if (material.can_transmit || material.can_reflect) surface.crossing = meet(world_, inside(), object.interior);
     const SeenSurface seen{*found, surface.at.point, surface.at.normal, surface.at.direction};
     const SampledTexture& texture = layers_at_.at(object, surface.at.inside, seen);
-    if (texture.is_mixture()) {
-        mix(surface, SampledTexture(texture), *found, path, result);
-        return false;
-    }
+    if (texture.is_mixture()) return mix(surface, SampledTexture(texture), *found, path, result, at_node);
     return shade(surface, texture.layers, *found, path, result, at_node);
 }
 
-/// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light. Rare, and kept out of the code of
-/// all other surfaces, as veil() is.
-[[gnu::noinline]] void Recursion::mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, const Path& path,
-                                      Radiance& result) {
+/// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light. Where they all go on in one
+/// direction the path goes on once, with what they let through together, or their number would grow with each surface: true if it does.
+/// Rare, and kept out of the code of all other surfaces, as veil() is.
+[[gnu::noinline]] bool Recursion::mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, Path& path, Radiance& result,
+                                      std::uint32_t& at_node) {
+    const bool together = std::none_of(texture.layers.begin(), texture.layers.end(),
+                                       [](const LayerSample& layer) { return layer.bumped || layer.finish->reflects; });
     const std::vector<std::uint32_t> inside(interiors_.begin() + static_cast<std::ptrdiff_t>(first_interior_), interiors_.end());
+    std::optional<OneWay> way;
     std::size_t first = 0;
     for (const TextureShare& share : texture.shares) {
         Path branch = path;
         branch.filter *= share.weight;
         branch.transmittance *= share.weight;
-        if (++branch.mixtures > free_mixtures) branch.weight *= share.weight;
+        if (!together && ++branch.mixtures > free_mixtures) branch.weight *= share.weight;
         Surface one = surface;
         one.share = share.weight;
-        std::uint32_t at_node = surface.node;
-        bool goes_on = shade(one, std::span(texture.layers).subspan(first, share.end - first), hit, branch, result, at_node);
-        for (int i = 0; i < most_crossings && goes_on; ++i) goes_on = step(branch, result, at_node, nullptr);
+        std::uint32_t next_node = surface.node;
+        bool goes_on = shade(one, std::span(texture.layers).subspan(first, share.end - first), hit, branch, result, next_node);
+        if (together && goes_on) join(way, branch, next_node);
+        for (int i = 0; i < most_crossings && goes_on && !together; ++i) goes_on = step(branch, result, next_node, nullptr);
         interiors_.resize(first_interior_);
         interiors_.insert(interiors_.end(), inside.begin(), inside.end());
         first = share.end;
     }
+    if (!way) return false;
+    path = way->path;
+    at_node = way->node;
+    interiors_.resize(first_interior_);
+    interiors_.insert(interiors_.end(), way->inside.begin(), way->inside.end());
+    return true;
+}
+
+/// Adds what one texture lets through to the way of all. The ray is counted once, and told once.
+void Recursion::join(std::optional<OneWay>& way, const Path& branch, std::uint32_t branch_node) {
+    if (!way) {
+        way = {branch, branch_node, {interiors_.begin() + static_cast<std::ptrdiff_t>(first_interior_), interiors_.end()}, counts};
+        return;
+    }
+    way->path.filter += branch.filter;
+    way->path.transmittance += branch.transmittance;
+    way->path.weight = std::fmax(way->path.weight, branch.weight);
+    counts = way->counts;
+    if (log_ == nullptr) return;
+    log_->nodes[way->node].factor += log_->nodes[branch_node].factor;
+    log_->nodes.pop_back();
 }
 
 /// What fog and rainbows do on the way to the next surface: on all that is found behind them.

@@ -62,7 +62,15 @@ private:
     bool step(Path& path, Radiance& result, std::uint32_t& at_node, const FirstHit* known);
     SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
     bool shade(Surface& surface, std::span<const LayerSample> layers, const Hit& hit, Path& path, Radiance& result, std::uint32_t& at_node);
-    void mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, const Path& path, Radiance& result);
+    /// How all the textures of a mixture go on.
+    struct OneWay {
+        Path path;
+        std::uint32_t node = RayNode::none;
+        std::vector<std::uint32_t> inside;  ///< its interiors
+        RayCounts counts;
+    };
+    bool mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, Path& path, Radiance& result, std::uint32_t& at_node);
+    void join(std::optional<OneWay>& way, const Path& branch, std::uint32_t branch_node);
     void resolve_layers(Surface& surface, std::span<const LayerSample> layers, double weight);
     Rgb local_light(const Surface& surface);
     bool pass(const Surface& surface, Path& path, Radiance& result, std::uint32_t& at_node);

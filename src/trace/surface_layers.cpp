@@ -15,10 +15,14 @@ SurfaceLayers::Side SurfaceLayers::side(const Material& material, bool inside) c
     return side;
 }
 
-SurfaceLayers::SurfaceLayers(const World& world, const TextureQuestion& question) : world_(world), question_(question) {
-    for (const Material& material : world.materials) {
-        outside_.push_back(side(material, false));
-        inside_.push_back(side(material, true));
+SurfaceLayers::SurfaceLayers(const World& world, const TextureQuestion& question)
+    : world_(world), question_(question), outside_(world.materials.size()), inside_(world.materials.size()) {
+    std::vector<bool> met(world.materials.size());
+    for (const CompiledObject& object : world.objects) met[object.material] = true;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        if (!met[i]) continue;  // one of a shape's textures
+        outside_[i] = side(world.materials[i], false);
+        inside_[i] = side(world.materials[i], true);
     }
 }
 
@@ -39,7 +43,8 @@ const SampledTexture& SurfaceLayers::at(const CompiledObject& object, bool insid
     weights_.clear();
     world_.texture_weights(seen.hit, seen.point, question_.least_weight, weights_);
     const auto layers = [&](const TextureWeight& shown) -> const std::vector<LayerNode>& {
-        return shown.texture == TextureWeight::of_object ? *side.varying : world_.materials[side.shape_textures[shown.texture]].layers;
+        const bool of_object = shown.texture == TextureWeight::of_object;
+        return world_.materials[of_object ? side.shape_textures.back() : side.shape_textures[shown.texture]].layers;
     };
     if (weights_.size() == 1 && weights_.front().weight == 1.0) {
         sample(layers(weights_.front()), point, question_, scratch_);

@@ -57,9 +57,9 @@ void for_each_layer(const std::vector<LayerNode>& layers, const Visit& visit) {
 }
 
 struct Material {
-    std::vector<LayerNode> layers;           ///< top layer first
+    std::vector<LayerNode> layers;           ///< top layer first; none where the shape states textures
     std::vector<LayerNode> interior_layers;  ///< seen from inside; empty: `layers`
-    /// Of the textures that the shape states, their materials; empty: it states none. What is said below holds for these as well.
+    /// Of the textures that the shape states, and last of the object's own, their materials; empty: it states none. All count below.
     std::vector<std::uint32_t> shape_textures;
     bool can_transmit = false;  ///< some colour in it has |filter| or |transmit| > 1e-10
     bool can_reflect = false;

@@ -191,7 +191,7 @@ std::vector<LayerNode> MaterialTable::make_layers(const std::vector<Texture>& la
 
 Material MaterialTable::make(const Origin& origin, const Span& span) {
     Material material;
-    if (origin.texture) material.layers = make_layers(**origin.texture, origin.ior, origin.uv_mapping, span);
+    if (origin.texture && !origin.shape_textures) material.layers = make_layers(**origin.texture, origin.ior, origin.uv_mapping, span);
     if (origin.interior_texture) material.interior_layers = make_layers(**origin.interior_texture, origin.ior, origin.uv_mapping, span);
     // Beyond what the file shares, each index of refraction makes materials of its own.
     if (nodes_ > max_nodes_ + materials_.size() + 1)
@@ -205,14 +205,17 @@ Material MaterialTable::make(const Origin& origin, const Span& span) {
 }
 
 void MaterialTable::add_shape_textures(const Origin& origin, const Span& span, Material& material) {
-    for (const TextureLayers& layers : *origin.shape_textures) {
-        const std::uint32_t index = add({&layers, nullptr, origin.ior, origin.uv_mapping, nullptr, 0}, span);
+    const auto add_one = [&](const TextureLayers* layers) {
+        const std::uint32_t index = add({layers, nullptr, origin.ior, origin.uv_mapping, nullptr, 0}, span);
         material.shape_textures.push_back(index);
         const Material& texture = materials_[index];
         material.can_transmit |= texture.can_transmit;
         material.can_reflect |= texture.can_reflect;
         material.uses_uv |= texture.uses_uv;
-    }
+    };
+    material.shape_textures.reserve(origin.shape_textures->size() + 1);
+    for (const TextureLayers& layers : *origin.shape_textures) add_one(&layers);
+    add_one(origin.texture);
 }
 
 std::size_t MaterialTable::hash(const TextureLayers& layers) {

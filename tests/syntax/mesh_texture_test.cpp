@@ -155,5 +155,14 @@ TEST(MeshTextures, CopiesOfAMeshShareThem) {
     EXPECT_EQ(std::get<Mesh>(objects.at(0).shape).textures->identity(), std::get<Mesh>(objects.at(1).shape).textures->identity());
 }
 
+TEST(MeshTextures, NeighboursShareEqualOnes) {
+    const std::string stated = "mesh2 { " + corners + list + "face_indices { 1, <0,1,2>, 0, 1, 2 } } ";
+    const ParsedScene parsed = parse_block(names + stated + "sphere { 0, 1 } " + stated + stated);
+    ASSERT_EQ(parsed.error, "");
+    const auto identity = [&](std::size_t object) { return (**parsed.scene.objects.at(object).shape_textures).at(1).identity(); };
+    EXPECT_EQ(identity(3), identity(2));
+    EXPECT_NE(identity(2), identity(0)) << "something else stands between";
+}
+
 }  // namespace
 }  // namespace rt

@@ -63,6 +63,32 @@ TEST(ShapeTextures, AMixtureLetsThroughWhatItsTexturesDo) {
     EXPECT_NEAR(seen.transmittance, 0.0, exact) << "the background is opaque";
 }
 
+/// One ray goes on behind a mixture, or there would be 3^n of them behind n surfaces.
+TEST(ShapeTextures, TransparentMixturesDoNotMultiplyTheRays) {
+    const PigmentColor red = color({1, 0, 0}, 0.0, 0.5), green = color({0, 1, 0}, 0.0, 0.5), blue = color({0, 0, 1}, 0.0, 0.5);
+    std::vector<Object> faces(6, face({0, 1, 2}, {layers(red), layers(green), layers(blue)}));
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i].transform = Transform::translate({0, 0, static_cast<double>(i)});
+    Traced t(scene_with(faces, {}, {0, 0, 64}));
+    const Ray ray{{1, 2, -5}, ahead};
+    RayLog log;
+    const Radiance seen = t.tracer->camera_ray(ray, log);
+    const double shown = 1.0 - std::pow(0.5, 6);
+    EXPECT_RGB_NEAR(seen.rgb, Rgb(0.25 * shown, 0.25 * shown, 0.5 * shown + 1.0), exact);
+    EXPECT_EQ(t.tracer->counts().refracted, faces.size());
+    EXPECT_EQ(log.nodes.size(), 1 + faces.size());
+    EXPECT_RGB_NEAR(log.nodes.front().radiance, seen.rgb, exact);
+    EXPECT_EQ(t.tracer->camera_ray(ray).rgb, seen.rgb);
+}
+
+/// Where their mirrors or bumps part them they still go on alone.
+TEST(ShapeTextures, AMirrorAmongTheTexturesReflectsItsShare) {
+    Finish mirror = plain();
+    mirror.reflection.min = mirror.reflection.max = Rgb(0.5);
+    const std::vector<TextureLayers> textures{layers(color({0, 0, 0}), mirror), layers(color({0, 0, 0}, 0.0, 0.5), plain())};
+    Traced t(scene_with({face({0, 1, 1}, textures)}, {}, {1, 2, 4}));
+    EXPECT_RGB_NEAR(t.look({1, 2, -5}, ahead).rgb, (0.25 * 0.5 + 0.75 * 0.5) * Rgb(1, 2, 4), exact);
+}
+
 /// Measured: what has too little weight neither lets light pass nor stops it, and the rest counts by the square of its weight.
 TEST(ShapeTextures, AMixtureCastsAMixedShadow) {
     const std::vector<TextureLayers> textures{layers(color({0, 0, 0})), layers(color({0.5, 1, 0.5}, 1.0)),

@@ -60,7 +60,9 @@ TEST_F(MaterialLimit, TexturesOfAShapeAreMaterialsOfTheirOwn) {
     mesh.shape_textures = std::vector<TextureLayers>{clear, shiny, clear};
     const std::uint32_t index = table.add(objects.emplace_back(mesh));
     const Material material = table[index];
-    ASSERT_EQ(material.shape_textures.size(), 3u);
+    ASSERT_EQ(material.shape_textures.size(), 4u);
+    EXPECT_EQ(material.shape_textures[3], add(plain, 1.5)) << "the object's own";
+    EXPECT_TRUE(material.layers.empty());
     EXPECT_EQ(material.shape_textures[0], alone);
     EXPECT_EQ(material.shape_textures[2], alone);
     EXPECT_TRUE(material.can_transmit);

@@ -128,7 +128,7 @@ std::string pixelray_text(const PixelName& pixel, const Ray& ray) {
 std::string firsthit_text(const PixelName& pixel, const Scene& scene, const RayNode& camera_ray) {
     const std::string ray = pixelray_text(pixel, camera_ray.ray);
     if (camera_ray.object == RayNode::none) return ray + "No Hit\n";
-    const Rgb& color = camera_ray.layers.front().rgb;
+    const Rgb color = camera_ray.layers.empty() ? Rgb(0.0) : camera_ray.layers.front().rgb;  // none has weight enough
     return ray + hit_text(scene, camera_ray) +
            fmt::format("Color: {} {} {}\n", number_text(color.r), number_text(color.g), number_text(color.b));
 }
