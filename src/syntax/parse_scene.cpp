@@ -71,10 +71,15 @@ void share_shape_textures(const std::vector<Object>& placed, Object& object) {
     if (!object.shape_textures || placed.empty() || !placed.back().shape_textures) return;
     const std::vector<TextureLayers>& last = **placed.back().shape_textures;
     if (last.size() > few || (*object.shape_textures)->size() > few) return;
-    for (TextureLayers& layers : object.shape_textures->edit()) {
+    std::vector<TextureLayers> own = **object.shape_textures;
+    bool any = false;
+    for (TextureLayers& layers : own) {
         const auto known = std::find(last.begin(), last.end(), layers);
-        if (known != last.end() && !has_any_pattern(layers)) layers = *known;
+        if (known == last.end() || known->identity() == layers.identity() || has_any_pattern(layers)) continue;
+        layers = *known;
+        any = true;
     }
+    if (any) object.shape_textures = std::move(own);
 }
 
 /// Makes room for as many objects as the rest of the file would hold at the rate so far: what moves when the list grows has to be paid
