@@ -5,6 +5,7 @@
 #include "commands/base/program.h"
 #include "commands/base/suggest.h"
 #include "commands/commands.h"
+#include "commands/job/limit_options.h"
 #include "commands/job/model_choices.h"
 #include "core/source.h"
 
@@ -13,7 +14,7 @@ namespace rt {
 const char* const render_usage = "Usage: raytrace [OPTION...] SCENE.pov    render a scene of POV-Ray 3.7";
 const char* const render_footer =
     "Commands: requires compare versus trade explain grade merge brdf version; help\n"
-    "on povray scene shading edges sampling knobs quality output course pixel exit";
+    "on povray scene limits shading edges sampling knobs quality output course exit";
 const char* const requires_usage =
     "Usage: raytrace requires [OPTION...] SCENE|FOLDER...\nWhat each scene needs of the program, and what in it is not modelled.";
 const char* const requires_footer =
@@ -106,8 +107,9 @@ constexpr const char* povray_topic =
 +SFx +EFx          those to render         -GA quiet, +V -V progress
 Declare=NAME=VALUE Dither=on File_Gamma=2.2|srgb
 
-What has no meaning here (displays, pauses, bounding, buffers, Display_Gamma,
-message files) is named in one note.
+Include_Header=FILE (+HI) is read before the scene. $POVINI, else ./povray.ini,
+comes first. Commands (Pre_Scene_Command) are never started. What has no meaning
+here (displays, bounding, buffers, message files) is named in one note.
 )";
 
 constexpr const char* scene_topic =
@@ -300,7 +302,7 @@ constexpr const char* exit_topic =
 1  mistake in the scene or an option
 2  interrupted; finished tiles are in NAME.partial.png
 3  the picture or the text could not be written
-4  a limit was exceeded (memory, size, depth)
+4  a limit was exceeded (memory, size, depth): raytrace help limits
 5  internal fault
 
 'raytrace compare' has idiff's: 0 same, 1 warning, 2 failure, 3 sizes differ,
@@ -333,11 +335,21 @@ in the scene's folder, read what you may read, write nowhere, have no network.
 )";
 
 constexpr std::pair<std::string_view, std::string_view> topics[] = {
-    {"povray", povray_topic}, {"scene", scene_topic},       {"shading", ""},
-    {"edges", edges_topic},   {"sampling", sampling_topic}, {"knobs", knobs_topic},
-    {"output", output_topic}, {"course", course_topic},     {"pixel", pixel_topic},
-    {"suite", suite_topic},   {"versus", versus_topic},     {"trade", ""},
-    {"quality", ""},          {"exit", exit_topic},
+    {"povray", povray_topic},
+    {"scene", scene_topic},
+    {"shading", ""},
+    {"edges", edges_topic},
+    {"sampling", sampling_topic},
+    {"knobs", knobs_topic},
+    {"output", output_topic},
+    {"course", course_topic},
+    {"pixel", pixel_topic},
+    {"suite", suite_topic},
+    {"versus", versus_topic},
+    {"trade", ""},
+    {"quality", ""},
+    {"limits", ""},
+    {"exit", exit_topic},
 };
 
 }  // namespace
@@ -352,6 +364,7 @@ std::string_view help_topic(std::string_view topic) {
     if (topic == "shading") return shading_topic();
     if (topic == "trade") return trade_topic;
     if (topic == "quality") return quality_topic;
+    if (topic == "limits") return limits_topic();
     for (const auto& [name, text] : topics)
         if (name == topic) return text;
     return "";

@@ -137,7 +137,9 @@ int run_requires(const Words& words) {
         return 0;
     }
     for (std::string& path : default_library_paths()) arguments->parse.library_paths.push_back(std::move(path));
-    arguments->parse.read_picture = read_picture_file;
+    arguments->parse.read_picture = [most = arguments->parse.max_picture_pixels](const std::string& path) {
+        return read_picture_file(path, most);
+    };
     const std::vector<std::string> scenes = all_scenes(arguments->scenes);
     std::vector<SceneReading> readings;
     {

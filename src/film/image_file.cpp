@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -161,9 +162,23 @@ std::string png_bytes(const Film& film, const Encoding& encoding, const ImageMet
 
 namespace {
 
+/// Where the module puts a picture.
+struct Place {
+    StoredImage image;
+    std::size_t max_pixels = 0;
+    bool too_large = false;
+};
+
+std::size_t pixels_of(const StoredImage& image) {
+    return static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0));
+}
+
 float* begin_picture(void* user, int width, int height, int channels, int max_value) {
-    auto& image = *static_cast<StoredImage*>(user);
+    auto& place = *static_cast<Place*>(user);
+    StoredImage& image = place.image;
     image.width = width, image.height = height, image.channels = channels, image.max_value = max_value;
+    place.too_large = pixels_of(image) > place.max_pixels;
+    if (place.too_large) return nullptr;
     try {
         image.values.resize(static_cast<std::size_t>(width) * height * channels);
     } catch (const std::exception&) {
@@ -174,7 +189,13 @@ float* begin_picture(void* user, int width, int height, int channels, int max_va
 
 }  // namespace
 
-StoredImage read_image(const std::string& path) {
+void require_pixels(const std::string& path, const StoredImage& image, std::size_t max_pixels) {
+    if (pixels_of(image) > max_pixels)
+        throw LimitError(
+            fmt::format("The picture '{}' has {} x {} pixels, more than {} in all.", path, image.width, image.height, max_pixels));
+}
+
+StoredImage read_image(const std::string& path, std::size_t max_pixels) {
     const auto refuse = [&](const char* why) -> void { throw OptionError(fmt::format("Cannot read '{}': {}", path, why)); };
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), std::fclose);
     if (!file) refuse(std::strerror(errno));
@@ -183,13 +204,15 @@ StoredImage read_image(const std::string& path) {
     const int first = std::fgetc(file.get());
     if (first == EOF) refuse("the file is empty");
     std::ungetc(first, file.get());
-    if (first == 0x89) return read_png(file.get(), path);
-    if (first == 'P') return read_pnm(file.get(), path);
-    StoredImage image;
-    if (first == 'G') image.kind = StoredImage::Kind::gif;
-    const RaytraceSink sink{begin_picture, &image};
-    if (const char* complaint = image_module().read(path.c_str(), &sink)) refuse(complaint);
-    return image;
+    if (first == 0x89) return read_png(file.get(), path, max_pixels);
+    if (first == 'P') return read_pnm(file.get(), path, max_pixels);
+    Place place{.image = {}, .max_pixels = max_pixels};
+    if (first == 'G') place.image.kind = StoredImage::Kind::gif;
+    const RaytraceSink sink{begin_picture, &place};
+    const char* const complaint = image_module().read(path.c_str(), &sink);
+    if (place.too_large) require_pixels(path, place.image, max_pixels);
+    if (complaint) refuse(complaint);
+    return std::move(place.image);
 }
 
 }  // namespace rt

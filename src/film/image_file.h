@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,7 +59,13 @@ struct StoredImage {
     std::vector<std::uint8_t> indices = {};  ///< of a PNG with a palette: the number of each pixel's entry
 };
 
-/// Reads any format. Throws OptionError naming the file and what is wrong with it.
-StoredImage read_image(const std::string& path);
+inline constexpr std::size_t any_number_of_pixels = std::numeric_limits<std::size_t>::max();
+
+/// Reads any format. Throws OptionError naming the file and what is wrong with it, LimitError if it has more than `max_pixels`, before they
+/// are read.
+StoredImage read_image(const std::string& path, std::size_t max_pixels = any_number_of_pixels);
+
+/// Throws that LimitError.
+void require_pixels(const std::string& path, const StoredImage& image, std::size_t max_pixels);
 
 }  // namespace rt

@@ -247,13 +247,14 @@ void read_header(const Reader& reader, std::FILE* file, StoredImage& image) {
 
 }  // namespace
 
-StoredImage read_png(std::FILE* file, const std::string& path) {
+StoredImage read_png(std::FILE* file, const std::string& path, std::size_t max_pixels) {
     Reader reader;
     const auto refuse = [&](const char* why) { throw OptionError(fmt::format("Cannot read '{}': {}", path, why)); };
     if (!reader.info) refuse(std::strerror(ENOMEM));
     StoredImage image;
     image.kind = StoredImage::Kind::png;
     if (!guarded(reader.png, [&] { read_header(reader, file, image); })) refuse(reader.complaint.text);
+    require_pixels(path, image, max_pixels);
     const std::size_t row = static_cast<std::size_t>(image.width) * image.channels * (image.max_value == 255 ? 1 : 2);
     struct stat info {};
     if (fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode) &&

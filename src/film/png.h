@@ -19,6 +19,6 @@ std::string png_of(const StoredImage& image);
 
 /// Any PNG. Palettes come out as RGB or RGBA, 1-, 2- and 4-bit grey as 8-bit grey, a transparent colour as an alpha channel.
 /// Throws OptionError that names `path`.
-StoredImage read_png(std::FILE* file, const std::string& path);
+StoredImage read_png(std::FILE* file, const std::string& path, std::size_t max_pixels);
 
 }  // namespace rt

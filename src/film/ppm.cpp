@@ -71,7 +71,7 @@ private:
 
 }  // namespace
 
-StoredImage read_pnm(std::FILE* file, const std::string& path) {
+StoredImage read_pnm(std::FILE* file, const std::string& path, std::size_t max_pixels) {
     PixmapReader reader(file, path);
     const int magic = reader.byte() == 'P' ? reader.byte() : 0;
     if (magic != '2' && magic != '3' && magic != '5' && magic != '6') reader.refuse("it is no grey or colour pixmap");
@@ -82,6 +82,7 @@ StoredImage read_pnm(std::FILE* file, const std::string& path) {
     image.max_value = reader.number();
     if (image.width < 1 || image.height < 1) reader.refuse("the picture has no pixels");
     if (image.max_value < 1 || image.max_value > 65535) reader.refuse("its largest value is not in 1..65535");
+    require_pixels(path, image, max_pixels);
     const std::size_t count = static_cast<std::size_t>(image.width) * image.height * image.channels;
     // Grows with what is really there: the header may promise anything.
     for (std::size_t i = 0; i < count; ++i) {

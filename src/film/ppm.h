@@ -11,6 +11,6 @@ void write_ppm(const Film& film, OutputFile& file, const Encoding& encoding);
 
 /// Grey and colour pixmaps, plain or binary (P2, P3, P5, P6), with any largest value up to 65535.
 /// Throws OptionError that names `path`.
-StoredImage read_pnm(std::FILE* file, const std::string& path);
+StoredImage read_pnm(std::FILE* file, const std::string& path, std::size_t max_pixels);
 
 }  // namespace rt

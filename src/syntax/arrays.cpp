@@ -37,8 +37,7 @@ ArrayValue Reader::State::parse_array() {
         if (!(size >= 1.0 && size <= 2147483647.0)) reader.fail(since(place), "Invalid dimension size for an array");
         array.sizes.push_back(static_cast<std::size_t>(size));
         if (array.sizes.back() > options.max_array_elements / count)
-            throw LimitError(scene.sources.describe(since(place), "Parse Error",
-                                                    fmt::format("An array has more than {} elements.", options.max_array_elements)));
+            reader.fail_limit(since(place), fmt::format("An array has more than {} elements.", options.max_array_elements), "array");
         count *= array.sizes.back();
         reader.expect(']');
     }
@@ -69,8 +68,7 @@ void Reader::State::parse_elements(ArrayValue& array, std::size_t dimension, std
 void Reader::State::set_element(const Span& place, ArrayValue& array, std::size_t index, VariablePtr value) {
     if (const auto* inner = std::get_if<ArrayValue>(&value->value)) {
         array.depth = std::max(array.depth, inner->depth + 1);
-        if (array.depth > max_depth)
-            throw LimitError(scene.sources.describe(place, "Parse Error", fmt::format("Arrays hold arrays more than {} deep.", max_depth)));
+        if (array.depth > max_depth) reader.fail_limit(place, fmt::format("Arrays hold arrays more than {} deep.", max_depth), "");
     }
     const std::string_view kind = kind_of(value->value);
     if (array.kind.empty()) array.kind = kind;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/source.h"
+#include "syntax/limits.h"
 
 namespace rt {
 
@@ -15,7 +16,7 @@ std::optional<std::string> read_file_text(const std::string& path, std::size_t m
     const auto bytes = std::filesystem::file_size(path, error);
     std::ifstream in(path, std::ios::binary);
     if (error || !in) return std::nullopt;
-    if (bytes > max_bytes) throw LimitError(fmt::format("File '{}' is larger than {} bytes.", path, max_bytes));
+    if (bytes > max_bytes) throw LimitError(fmt::format("File '{}' is larger than {} bytes.{}", path, max_bytes, allow_more("file")));
     std::string text(static_cast<std::size_t>(bytes), '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));

@@ -142,10 +142,11 @@ void Reader::State::warn_of_near_choice(const Span& place) {
 }
 
 void Reader::State::include(const Span& place, const std::string& name) {
-    if (files_open >= static_cast<std::size_t>(options.max_include_depth)) reader.fail(place, "Too many nested include files.");
+    if (files_open >= static_cast<std::size_t>(options.max_include_depth))
+        reader.fail_limit(place, fmt::format("Too many nested include files. More than {} are open.", options.max_include_depth),
+                          "include-depth");
     if (++includes > options.max_includes)
-        throw LimitError(
-            scene.sources.describe(place, "Parse Error", fmt::format("More than {} files are included.", options.max_includes)));
+        reader.fail_limit(place, fmt::format("More than {} files are included.", options.max_includes), "includes");
 
     std::optional<std::uint32_t> file = find_written(place, name);
     if (!file) file = find_include(name);
@@ -153,6 +154,12 @@ void Reader::State::include(const Span& place, const std::string& name) {
         reader.warn_possible(place, fmt::format("Cannot find file '{}', even after trying to append file type extension.", name));
         reader.fail(place, fmt::format("Cannot open include file {}.", name));
     }
+    push_frame(Lexer(scene.sources, *file, 0, Span::none, &near_choice), false);
+}
+
+void Reader::State::include_header() {
+    const std::optional<std::uint32_t> file = find_include(options.header);
+    if (!file) throw SceneError(fmt::format("File '{0}': Parse Error: Cannot open include header file {0}.", options.header));
     push_frame(Lexer(scene.sources, *file, 0, Span::none, &near_choice), false);
 }
 

@@ -104,16 +104,16 @@ void Reader::State::leave_loop(const Span& place) {
 void Reader::State::count_replay(const Span& place, std::size_t bytes) {
     replayed += bytes + round_bytes;
     if (replayed > options.max_replayed_bytes)
-        throw LimitError(scene.sources.describe(
-            place, "Parse Error", fmt::format("Loops and macros have read more than {} bytes of text again.", options.max_replayed_bytes)));
+        reader.fail_limit(place, fmt::format("Loops and macros have read more than {} bytes of text again.", options.max_replayed_bytes),
+                          "reread");
     if (++replays % rounds_between_looks == 0) check_memory(place);
 }
 
 void Reader::State::check_memory(const Span& place) {
     if (memory_in_use() > options.max_memory_bytes)
-        throw LimitError(scene.sources.describe(
-            place, "Parse Error",
-            fmt::format("The scene takes more than {:.1f} GB of memory.", static_cast<double>(options.max_memory_bytes) * 1e-9)));
+        reader.fail_limit(
+            place, fmt::format("The scene takes more than {:.1f} GB of memory.", static_cast<double>(options.max_memory_bytes) * 1e-9),
+            "memory");
 }
 
 }  // namespace rt

@@ -40,8 +40,7 @@ void Reader::State::call_macro(const VariablePtr& called) {
     const Word word_before = last_word;
     const std::vector<VariablePtr> arguments = parse_arguments(macro, place);
     if (macros == options.max_macro_depth)
-        throw LimitError(scene.sources.describe(place, "Parse Error",
-                                                fmt::format("Macros call each other more than {} deep.", options.max_macro_depth)));
+        reader.fail_limit(place, fmt::format("Macros call each other more than {} deep.", options.max_macro_depth), "macro-depth");
     count_replay(place, macro.body.end - macro.body.begin);
     push_frame(Lexer(scene.sources, macro.body.file, macro.body.begin, macro.body.end, &near_choice), true);
     for (std::size_t i = 0; i < arguments.size(); ++i) names.bind(names.depth(), macro.parameters[i], arguments[i]);

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-std::uint64_t memory_that_fits() {
+std::size_t memory_that_fits() {
     const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)), bytes = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     return pages * bytes / 4 * 3;
 }

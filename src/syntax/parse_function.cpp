@@ -154,8 +154,7 @@ private:
     void call(const std::shared_ptr<const Function>& called) {
         function_.depth = std::max(function_.depth, called->depth + 1);
         if (function_.depth > max_depth)
-            throw LimitError(state_.scene.sources.describe(reader_.last_place(), "Parse Error",
-                                                           fmt::format("Functions call each other more than {} deep.", max_depth)));
+            reader_.fail_limit(reader_.last_place(), fmt::format("Functions call each other more than {} deep.", max_depth), "");
         arguments(called->parameters);
         push({.op = Op::call, .index = static_cast<std::uint32_t>(function_.called.size())});
         held_ -= called->parameters;

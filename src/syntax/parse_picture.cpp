@@ -82,6 +82,8 @@ PictureFile open_picture(Reader& reader, const Token& name) {
         }
     } catch (const OptionError& problem) {
         reader.fail(name.span, problem.what());
+    } catch (const LimitError& problem) {
+        reader.fail_limit(name.span, problem.what(), "picture");
     }
     reader.warn_possible(name.span, fmt::format("Cannot find file '{}', even after trying to append file type extension.", name.text));
     reader.fail(name.span, "Cannot find image file.");

@@ -14,6 +14,8 @@ namespace rt {
 
 namespace {
 
+constexpr std::uint32_t statements_between_looks = 1024;
+
 /// What the statements so far have placed.
 struct Placed {
     bool camera = false;
@@ -213,7 +215,10 @@ void decide_gamma(Reader& reader) {
 
 void parse_scene(Reader& reader) {
     Placed placed;
-    while (reader.peek().kind != Token::Kind::end) parse_statement(reader, placed);
+    for (std::uint32_t count = 1; reader.peek().kind != Token::Kind::end; ++count) {
+        parse_statement(reader, placed);
+        if (count % statements_between_looks == 0) reader.check_memory();
+    }
     if (!placed.anything) reader.warn(reader.peek().span, "No objects in scene.");
     decide_gamma(reader);
 }

@@ -176,8 +176,7 @@ void move_set(Reader& reader, const Span& place, SetValue& set, const Transform&
 
 void limit_depth(Reader& reader, const Span& place, const ObjectSet& set) {
     if (depth(set) <= most_depth) return;
-    throw LimitError(
-        reader.scene().sources.describe(place, "Parse Error", fmt::format("Sets of objects are nested more than {} deep.", most_depth)));
+    reader.fail_limit(place, fmt::format("Sets of objects are nested more than {} deep.", most_depth), "");
 }
 
 void add_item(Reader& reader, const Span& place, SetValue& set, Placeable item, bool inverted) {

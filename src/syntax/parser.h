@@ -16,7 +16,7 @@ int nesting_that_fits();
 /// True where less is left of the stack than the next level of nesting surely fits into.
 bool stack_is_low();
 /// Three quarters of what is installed.
-std::uint64_t memory_that_fits();
+std::size_t memory_that_fits();
 
 /// What a scene reads of the frame that it is in an animation; all 0 in a single picture.
 struct FrameValues {
@@ -44,6 +44,7 @@ struct ParseOptions {
     double clock = 0.0;
     FrameValues frame;
     double version = 0.0;  ///< +MV; 0: not given
+    std::string header;    ///< a file that is read before the scene, as if it were included there; empty: none
     Rotation rotation = Rotation::povray;
     Finish default_finish;                              ///< until the scene states another by `#default`
     bool lenient = false;                               ///< known but unmodelled features are warnings instead of errors
@@ -57,9 +58,11 @@ struct ParseOptions {
     std::size_t max_array_elements = 10'000'000;
     /// Of text that loops and macros read again, in bytes; each round counts for 64 more, each
     /// element of an array that is copied for 16.
-    std::uint64_t max_replayed_bytes = std::uint64_t{2} << 30;
-    std::uint64_t max_memory_bytes = memory_that_fits();     ///< of the whole process, looked at while loops and macros run
+    std::size_t max_replayed_bytes = std::size_t{2} << 30;
+    std::size_t max_memory_bytes = memory_that_fits();       ///< of the whole process, looked at while a scene is read
     std::size_t max_written_bytes = std::size_t{256} << 20;  ///< by `#write`, which writes into memory
+    std::size_t max_string_bytes = std::size_t{1} << 20;     ///< that `concat` and its like make
+    std::size_t max_picture_pixels = std::size_t{1} << 28;   ///< of one that the scene reads
     /// Of one texture: a colour, or a pattern besides its cells, is one node in each layer. Names make textures double with each line.
     std::size_t max_texture_nodes = 10'000;
     std::size_t max_texture_depth = 100;  ///< of patterns inside patterns

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "syntax/limits.h"
 #include "syntax/reader_state.h"
 #include "syntax/word_groups.h"
 
@@ -54,9 +55,11 @@ Reader::~Reader() = default;
 void Reader::open(SourceFile file) {
     state_->names.bind(0, "input_file_name", make_variable(file.name));
     if (file.text.size() > state_->options.max_file_bytes)
-        throw LimitError(fmt::format("File '{}' is larger than {} bytes.", file.name, state_->options.max_file_bytes));
+        throw LimitError(
+            fmt::format("File '{}' is larger than {} bytes.{}", file.name, state_->options.max_file_bytes, allow_more("file")));
     const std::uint32_t index = state_->scene.sources.add(std::move(file));
     state_->push_frame(Lexer(state_->scene.sources, index, 0, Span::none, &state_->near_choice), false);
+    if (!state_->options.header.empty()) state_->include_header();
 }
 
 // --- tokens
@@ -105,22 +108,23 @@ void Reader::end_block() {
 
 void Reader::State::enter(const Span& place) {
     if (++depth > options.max_nesting)
-        throw LimitError(scene.sources.describe(place, "Parse Error",
-                                                fmt::format("Blocks and parentheses are nested more than {} deep.", options.max_nesting)));
+        reader.fail_limit(place, fmt::format("Blocks and parentheses are nested more than {} deep.", options.max_nesting), "nesting");
     require_stack(place);
 }
 
 void Reader::State::enter_directive(const Span& place) {
     if (++directives > options.max_directive_nesting)
-        throw LimitError(scene.sources.describe(
-            place, "Parse Error", fmt::format("Directives stand inside each other more than {} deep.", options.max_directive_nesting)));
+        reader.fail_limit(place, fmt::format("Directives stand inside each other more than {} deep.", options.max_directive_nesting),
+                          "directive-nesting");
     require_stack(place);
 }
 
 void Reader::State::require_stack(const Span& place) {
     if (!stack_is_low()) return;
-    const std::string text = fmt::format("The stack is too small for {} directives and {} blocks inside each other.", directives, depth);
-    throw LimitError(scene.sources.describe(place, "Parse Error", text));
+    const std::string text =
+        fmt::format("The stack is too small for {} directives and {} blocks inside each other. A larger one (ulimit -s) allows more.",
+                    directives, depth);
+    reader.fail_limit(place, text, "");
 }
 
 void Reader::skip_block() {
@@ -174,6 +178,11 @@ void Reader::State::report_missing(const VariablePtr& variable) {
 
 void Reader::fail(const Span& span, std::string_view text) { throw SceneError(state_->scene.sources.describe(span, "Parse Error", text)); }
 
+void Reader::fail_limit(const Span& span, std::string_view text, std::string_view limit) {
+    const std::string more = limit.empty() ? "" : allow_more(limit);
+    throw LimitError(state_->scene.sources.describe(span, "Parse Error", fmt::format("{}{}", text, more)));
+}
+
 void Reader::fail_expected(std::string_view what) {
     const Token& token = peek();
     fail(token.span, fmt::format("Expected '{}', {} found instead", what, describe(token)));
@@ -220,16 +229,15 @@ void Reader::count_scene_nodes(const Span& place, std::size_t nodes) {
     const std::size_t most = options().max_scene_nodes;
     state_->scene_nodes += nodes;
     if (state_->scene_nodes > most)
-        throw LimitError(scene().sources.describe(
-            place, "Parse Error", fmt::format("The textures of the scene have more than {} pigments beyond the first of each.", most)));
+        fail_limit(place, fmt::format("The textures of the scene have more than {} pigments beyond the first of each.", most), "textures");
 }
+
+void Reader::check_memory() { state_->check_memory(last_place()); }
 
 void Reader::count_parts(const Span& place, std::size_t parts) {
     const std::size_t most = options().max_set_parts;
     state_->set_parts += parts;
-    if (state_->set_parts > most)
-        throw LimitError(
-            scene().sources.describe(place, "Parse Error", fmt::format("The sets of objects have more than {} parts in all.", most)));
+    if (state_->set_parts > most) fail_limit(place, fmt::format("The sets of objects have more than {} parts in all.", most), "parts");
 }
 
 std::uint32_t& Reader::placed_media() { return state_->placed_media; }

@@ -107,6 +107,8 @@ public:
     [[noreturn]] void fail(const Span& span, std::string_view text);
     /// Throws POV-Ray's "Expected '<what>', <description of the next token> found instead".
     [[noreturn]] void fail_expected(std::string_view what);
+    /// Throws LimitError: `text` at `span` and how to allow more, where `limit` is one of limits.h; with an empty one nothing does.
+    [[noreturn]] void fail_limit(const Span& span, std::string_view text, std::string_view limit);
     void warn(const Span& span, std::string_view text);           ///< "Parse Warning: text"
     void warn_possible(const Span& span, std::string_view text);  ///< "Possible Parse Error: text"
     /// A known feature that is not modelled, met at `span`: error, warning or collected, as the options say. The caller then skips it.
@@ -128,6 +130,8 @@ public:
     TextureLayers& default_texture();
     /// Counts what textures add up to and throws LimitError at `place` where it is too much.
     void count_scene_nodes(const Span& place, std::size_t nodes);
+    /// Throws LimitError at the last token if the program takes too much memory.
+    void check_memory();
     /// Counts objects that become parts of sets, or are placed as such, and throws LimitError at `place` where they are too many.
     void count_parts(const Span& place, std::size_t parts);
     /// The largest `Object::medium` in the scene.

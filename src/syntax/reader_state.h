@@ -52,6 +52,7 @@ struct Reader::State : Reader::Cursor {
     void push_frame(const Lexer& lexer, bool macro);
     void warn_of_near_choice(const Span& place);
     void include(const Span& place, const std::string& name);
+    void include_header();  ///< the file that is read before the scene
     /// The file that `name` means here: beside the including one, in the current folder, in the library paths, among those installed.
     std::optional<std::uint32_t> find_include(const std::string& name);
     std::vector<std::string> search_folders() const;  ///< in which a file is looked for that the current one names

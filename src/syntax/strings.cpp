@@ -14,7 +14,6 @@ namespace {
 
 /// Widths and precisions beyond this are a mistake, not a wish for a gigabyte of blanks.
 constexpr double max_field = 1000.0;
-constexpr std::size_t max_string = 1 << 20;
 
 std::string utf8(std::uint32_t code) {
     const auto byte = [](std::uint32_t b) { return static_cast<char>(b); };
@@ -129,7 +128,8 @@ std::string Expression::concatenation(const Span& place) {
     for (;;) {
         if (!reader_.accept(',') && !at_string(reader_)) return result;
         result += string();
-        if (result.size() > max_string) reader_.fail(state_.since(place), "String too long.");
+        const std::size_t most = reader_.options().max_string_bytes;
+        if (result.size() > most) reader_.fail_limit(state_.since(place), fmt::format("A string is longer than {} bytes.", most), "string");
     }
 }
 

@@ -168,11 +168,12 @@ TreeSize tree_size(const std::vector<Texture>& layers) {
 
 void limit_size(Reader& reader, const Span& place, const TreeSize& size) {
     const ParseOptions& options = reader.options();
-    const auto fail = [&](const std::string& text) { throw LimitError(reader.scene().sources.describe(place, "Parse Error", text)); };
     if (size.nodes > options.max_texture_nodes)
-        fail(fmt::format("A texture has more than {} pigments in its layers and cells.", options.max_texture_nodes));
+        reader.fail_limit(place, fmt::format("A texture has more than {} pigments in its layers and cells.", options.max_texture_nodes),
+                          "texture");
     if (size.depth > options.max_texture_depth)
-        fail(fmt::format("The patterns of a texture are nested more than {} deep.", options.max_texture_depth));
+        reader.fail_limit(place, fmt::format("The patterns of a texture are nested more than {} deep.", options.max_texture_depth),
+                          "texture-depth");
 }
 
 bool accept_layer_part(Reader& reader, std::optional<TextureLayers>& layers) {

@@ -167,8 +167,7 @@ std::optional<std::uint32_t> Reader::State::find_user_file(const Span& place, co
 void Reader::State::count_written(const Span& place, std::size_t bytes) {
     written_bytes += bytes;
     if (written_bytes > options.max_written_bytes)
-        throw LimitError(scene.sources.describe(since(place), "Parse Error",
-                                                fmt::format("The scene writes more than {} bytes.", options.max_written_bytes)));
+        reader.fail_limit(since(place), fmt::format("The scene writes more than {} bytes.", options.max_written_bytes), "written");
 }
 
 void Reader::State::close_file() {

@@ -194,7 +194,7 @@ void add_frame(const Object& object, const Material& material, World& world) {
 Surfaces compile_objects(const Scene& scene, const CompileOptions& options, const MessageSink& warn, World& world) {
     Surfaces surfaces;
     reserve(scene, surfaces);
-    MaterialTable materials(scene, options, warn);
+    MaterialTable materials(scene, options, warn, options.max_nodes);
     InteriorTable interiors(world.interiors);
     world.objects.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
@@ -260,7 +260,7 @@ World compile(const Scene& scene, const CompileOptions& options, const MessageSi
         chosen.index = choose_index(world, options);
         world.surfaces = std::make_unique<SurfaceIndex>(std::move(surfaces), chosen);
     } catch (const std::bad_alloc&) {
-        throw LimitError("not enough memory for the scene's surfaces");
+        throw LimitError("not enough memory for the scene's surfaces. --limit memory=N allows more.");
     }
     return world;
 }

@@ -35,7 +35,8 @@ struct CompileOptions {
     /// Lamps along each side of an area light, at most: such a light stands in the world as if the scene stated so few, and with 1 it is
     /// a lamp at its centre. Unset: as many as the scene states.
     std::optional<int> light_samples;
-    bool general_shading = true;  ///< warn of what only the general form's shading cannot take as it is
+    std::size_t max_nodes = 2'000'000;  ///< pigments beyond the first of each material; more are a LimitError
+    bool general_shading = true;        ///< warn of what only the general form's shading cannot take as it is
 };
 
 /// Throws SceneError for what a scene can state but no world can hold (look_at = location under the course profile, ...).

@@ -26,7 +26,8 @@ constexpr double scene_padding = 8e-6;
 constexpr double far_origin = 1e7;
 
 [[noreturn]] void fail(RTCError error) {
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw LimitError("not enough memory for the index of the scene's surfaces");
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+        throw LimitError("not enough memory for the index of the scene's surfaces. --limit memory=N allows more.");
     throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
 }
 

@@ -196,7 +196,9 @@ Material MaterialTable::make(const Origin& origin, const Span& span) {
     // Beyond what the file shares, each index of refraction makes materials of its own.
     if (nodes_ > max_nodes_ + materials_.size() + 1)
         throw LimitError(scene_.sources.describe(
-            span, "Error", fmt::format("The scene's materials have more than {} pigments beyond the first of each.", max_nodes_)));
+            span, "Error",
+            fmt::format("The scene's materials have more than {} pigments beyond the first of each. --limit textures=N allows more.",
+                        max_nodes_)));
     material.can_transmit = can_transmit(material.layers) || can_transmit(material.interior_layers);
     material.can_reflect = can_reflect(material.layers) || can_reflect(material.interior_layers);
     material.uses_uv = uses_uv(material.layers) || uses_uv(material.interior_layers);

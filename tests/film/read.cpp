@@ -72,6 +72,25 @@ protected:
     fs::path folder;
 };
 
+TEST_F(Reading, APictureOfMorePixelsThanAllowedIsALimit) {
+    const auto error = [](const std::string& path, std::size_t most) -> std::string {
+        try {
+            read_image(path, most);
+        } catch (const LimitError& limit) {
+            return limit.what();
+        }
+        return "read";
+    };
+    const std::string pixmap = file("P2 3 2 9\n1 2 3 4 5 6");
+    EXPECT_EQ(error(pixmap, 6), "read");
+    EXPECT_EQ(error(pixmap, 5), "The picture '" + pixmap + "' has 3 x 2 pixels, more than 5 in all.");
+    EXPECT_EQ(error(file("P6 9999999 9999999 255\n"), 1'000'000'000).find("The picture '"), 0u);
+    png(4, 8, PNG_COLOR_TYPE_GRAY, {1, 2, 3, 4});
+    const std::string made = (folder / "made.png").string();
+    EXPECT_EQ(error(made, 4), "read");
+    EXPECT_EQ(error(made, 3), "The picture '" + made + "' has 4 x 1 pixels, more than 3 in all.");
+}
+
 TEST_F(Reading, GreyOfEveryDepth) {
     EXPECT_THAT(png(4, 1, PNG_COLOR_TYPE_GRAY, {0b01010000}).values, ElementsAre(0, 255, 0, 255));
     EXPECT_THAT(png(4, 2, PNG_COLOR_TYPE_GRAY, {0b00011011}).values, ElementsAre(0, 85, 170, 255));

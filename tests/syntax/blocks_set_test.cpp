@@ -336,7 +336,9 @@ TEST(Sets, AreLimited) {
         parse_block(doubling, options);
         ADD_FAILURE() << "no limit";
     } catch (const LimitError& e) {
-        EXPECT_EQ(first_line(e.what()), "File 'test.pov' line 9: Parse Error: The sets of objects have more than 1000 parts in all.");
+        EXPECT_EQ(
+            first_line(e.what()),
+            "File 'test.pov' line 9: Parse Error: The sets of objects have more than 1000 parts in all. --limit parts=N allows more.");
     }
     std::string deep = "#declare D = sphere { 0, 1 }\n";
     for (int i = 0; i < 600; ++i) deep += "#declare D = merge { intersection { object { D } sphere { 0, 1 } } sphere { 0, 1 } }\n";

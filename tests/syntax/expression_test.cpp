@@ -347,7 +347,9 @@ TEST(Expression, DeepNestingIsALimitNotACrash) {
         for (int i = 0; i < 200'000; ++i) text += unit;
         const Outcome o = read_scene(text);
         EXPECT_TRUE(o.limit) << unit;
-        EXPECT_THAT(o.error, testing::HasSubstr(fmt::format("Blocks and parentheses are nested more than {} deep.", nesting_that_fits())))
+        EXPECT_THAT(o.error,
+                    testing::HasSubstr(fmt::format("Blocks and parentheses are nested more than {} deep. --limit nesting=N allows more.",
+                                                   nesting_that_fits())))
             << unit;
     }
     EXPECT_EQ(debug_text("#declare A = " + std::string(99, '(') + "7" + std::string(99, ')') + "; #debug str(A,0,0)"), "7");

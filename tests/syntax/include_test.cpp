@@ -59,15 +59,29 @@ TEST(Include, MissingFilesAreNamed) {
     EXPECT_EQ(error_text("#include \"a.inc\"", {}, {{"a.inc", "#include \"b\""}}), "Cannot open include file b.");
 }
 
+TEST(Include, AHeaderIsReadBeforeTheScene) {
+    ParseOptions options;
+    options.header = "h";
+    const Files files{{"h.inc", "#declare A = 1; #local B = 2; #debug \"header \""}};
+    EXPECT_EQ(debug_text("#debug str(A, 0, 0) #ifdef (B) #debug \"local\" #end", options, files), "header 1");
+    options.header = "none.inc";
+    EXPECT_EQ(read_scene("sphere { 0, 1 }", options, files).error,
+              "File 'none.inc': Parse Error: Cannot open include header file none.inc.");
+}
+
+std::string too_many_files(int most) {
+    return fmt::format("Too many nested include files. More than {} are open. --limit include-depth=N allows more.", most);
+}
+
 TEST(Include, CyclesEnd) {
     const Files files{{"a.inc", "#include \"b.inc\""}, {"b.inc", "#include \"a.inc\""}, {"self.inc", "#include \"self.inc\""}};
-    EXPECT_EQ(error_text("#include \"a.inc\"", {}, files), "Too many nested include files.");
-    EXPECT_EQ(error_text("#include \"self.inc\"", {}, files), "Too many nested include files.");
+    EXPECT_EQ(error_text("#include \"a.inc\"", {}, files), too_many_files(100));
+    EXPECT_EQ(error_text("#include \"self.inc\"", {}, files), too_many_files(100));
     ParseOptions options;
     options.max_include_depth = 3;
     const Files chain{{"1", "#include \"2\""}, {"2", "#include \"3\""}, {"3", "#debug \"deep\""}, {"0", "#include \"1\""}};
     EXPECT_EQ(debug_text("#include \"1\"", options, chain), "deep");
-    EXPECT_EQ(error_text("#include \"0\"", options, chain), "Too many nested include files.");
+    EXPECT_EQ(error_text("#include \"0\"", options, chain), too_many_files(3));
 }
 
 TEST(Include, AFileThatIncludesTwoOfItsKindAtEveryLevelEnds) {

@@ -18,7 +18,7 @@ std::string limit_text(const std::string& scene, const ParseOptions& options, co
 TEST(LanguageLimit, EndlessLoopsEnd) {
     ParseOptions options;
     options.max_replayed_bytes = 100'000;
-    const std::string text = "Loops and macros have read more than 100000 bytes of text again.";
+    const std::string text = "Loops and macros have read more than 100000 bytes of text again. --limit reread=N allows more.";
     for (const char* scene :
          {"#while(1) #end", "#while(1) #if(1) #else #end #end", "#for(I,0,1e300) #end", "#for(I,0,0) #declare I=-1; #end",
           "#while(1) #while(0) #end #end", "#macro M() #end #while(1) M() #end", "sphere { #while(1) #end 0, 1 }",
@@ -30,7 +30,7 @@ TEST(LanguageLimit, EndlessLoopsEnd) {
 TEST(LanguageLimit, EndlessRecursionsEnd) {
     ParseOptions options;
     options.max_macro_depth = 500;
-    const std::string text = "Macros call each other more than 500 deep.";
+    const std::string text = "Macros call each other more than 500 deep. --limit macro-depth=N allows more.";
     for (const char* scene :
          {"#macro M() M() #end M()", "#macro A() B() #end #macro B() A() #end A()", "#macro M(n) #if(1) M(n+1) #end #end M(0)"})
         EXPECT_THAT(limit_text(scene, options), testing::HasSubstr(text)) << scene;
@@ -58,21 +58,24 @@ TEST(LanguageLimit, ArraysAndFilesAreLimited) {
     ParseOptions options;
     options.max_array_elements = 1000;
     options.max_written_bytes = 1000;
-    EXPECT_THAT(limit_text("#declare A=array[1001]", options), testing::HasSubstr("An array has more than 1000 elements."));
-    EXPECT_THAT(limit_text("#declare A=array[100][100]", options), testing::HasSubstr("An array has more than 1000 elements."));
+    EXPECT_THAT(limit_text("#declare A=array[1001]", options),
+                testing::HasSubstr("An array has more than 1000 elements. --limit array=N allows more."));
+    EXPECT_THAT(limit_text("#declare A=array[100][100]", options),
+                testing::HasSubstr("An array has more than 1000 elements. --limit array=N allows more."));
     limit_text("#declare A=array[2147483647][2147483647][2147483647][2147483647][4]", options);
     EXPECT_EQ(read_scene("#declare A=array[10][100]", options).error, "");
     EXPECT_THAT(limit_text("#declare A=array[1]{1} #for(I,0,999) #declare B=array[1]{A} #declare A=B #end", options),
                 testing::HasSubstr("Arrays hold arrays more than 100 deep."));
     EXPECT_THAT(limit_text("#fopen F \"o\" write #while(1) #write(F,\"0123456789\") #end", options),
-                testing::HasSubstr("The scene writes more than 1000 bytes."));
+                testing::HasSubstr("The scene writes more than 1000 bytes. --limit written=N allows more."));
     limit_text("#fopen F \"o\" write #write(F,\"0123456789\") #while(1) #fopen G \"o\" read #end", options);
 }
 
 TEST(LanguageLimit, MemoryIsLookedAtWhileLoopsRun) {
     ParseOptions options;
     options.max_memory_bytes = 1'000'000;  // what every process has
-    EXPECT_THAT(limit_text("#while(1) sphere { 0, 1 } #end", options), testing::HasSubstr("The scene takes more than 0.0 GB of memory."));
+    EXPECT_THAT(limit_text("#while(1) sphere { 0, 1 } #end", options),
+                testing::HasSubstr("The scene takes more than 0.0 GB of memory. --limit memory=N allows more."));
     EXPECT_EQ(read_scene("sphere { 0, 1 }", options).error, "");
 }
 

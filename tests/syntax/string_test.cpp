@@ -72,7 +72,7 @@ TEST(String, DoublingEndsAtALimit) {
     std::string scene = "#declare S0 = \"0123456789abcdef\"\n";
     for (int i = 0; i < 40; ++i)
         scene += "#declare S" + std::to_string(i + 1) + " = concat(S" + std::to_string(i) + ",S" + std::to_string(i) + ")\n";
-    EXPECT_EQ(error_text(scene), "String too long.");
+    EXPECT_EQ(error_text(scene), "A string is longer than 1048576 bytes. --limit string=N allows more.");
 }
 
 }  // namespace

@@ -30,27 +30,30 @@ void expect_limit(const std::string& scene, const std::string& message, std::siz
 }
 
 TEST(TextureLimit, CheckersOfPigments) {
-    expect_limit(doubling(first_pigment, pigments, 40),
-                 "File 't.pov' line 7: Parse Error: A texture has more than 100 pigments in its layers and cells.\n"
-                 "   7 | #declare P6 = pigment { checker pigment { P5 } pigment { P5 } }\n"
-                 "     |                         ^^^^^^^",
-                 100);
+    expect_limit(
+        doubling(first_pigment, pigments, 40),
+        "File 't.pov' line 7: Parse Error: A texture has more than 100 pigments in its layers and cells. --limit texture=N allows more.\n"
+        "   7 | #declare P6 = pigment { checker pigment { P5 } pigment { P5 } }\n"
+        "     |                         ^^^^^^^",
+        100);
 }
 
 TEST(TextureLimit, CheckersOfTextures) {
-    expect_limit(doubling(first_texture, textures, 40),
-                 "File 't.pov' line 8: Parse Error: A texture has more than 100 pigments in its layers and cells.\n"
-                 "   8 | #declare P7 = texture { checker texture { P6 } texture { P6 } }\n"
-                 "     |                         ^^^^^^^",
-                 100);
+    expect_limit(
+        doubling(first_texture, textures, 40),
+        "File 't.pov' line 8: Parse Error: A texture has more than 100 pigments in its layers and cells. --limit texture=N allows more.\n"
+        "   8 | #declare P7 = texture { checker texture { P6 } texture { P6 } }\n"
+        "     |                         ^^^^^^^",
+        100);
 }
 
 TEST(TextureLimit, Layers) {
-    expect_limit(doubling(first_texture, layers, 40),
-                 "File 't.pov' line 8: Parse Error: A texture has more than 100 pigments in its layers and cells.\n"
-                 "   8 | #declare P7 = texture { P6 } texture { P6 }\n"
-                 "     |                                           ^",
-                 100);
+    expect_limit(
+        doubling(first_texture, layers, 40),
+        "File 't.pov' line 8: Parse Error: A texture has more than 100 pigments in its layers and cells. --limit texture=N allows more.\n"
+        "   8 | #declare P7 = texture { P6 } texture { P6 }\n"
+        "     |                                           ^",
+        100);
 }
 
 TEST(TextureLimit, IsMetExactly) {
@@ -78,7 +81,8 @@ TEST(TextureLimit, LayersThatGrowAfterTheyWereCountedAreCountedAgain) {
     options.max_texture_nodes = 6;
     const std::string text = "#declare C = pigment { checker rgb 1 rgb 0 } sphere { 0, 1 texture { } texture { } pigment { C } texture { }";
     EXPECT_EQ(error_text(text + " texture { } }", options), "");  // 1 + 3 + 1 + 1
-    EXPECT_EQ(error_text(text + " texture { } texture { } }", options), "A texture has more than 6 pigments in its layers and cells.");
+    EXPECT_EQ(error_text(text + " texture { } texture { } }", options),
+              "A texture has more than 6 pigments in its layers and cells. --limit texture=N allows more.");
 }
 
 const std::string pigment_chain = "#declare {1} = pigment {{ checker pigment {{ {0} }} pigment {{ rgb 1 }} }}\n";
@@ -88,16 +92,18 @@ TEST(TextureLimit, PatternsInsidePatterns) {
     for (const auto& [first, chain, name] :
          {std::tuple(first_pigment, pigment_chain, "pigment"), {first_texture, texture_chain, "texture"}}) {
         EXPECT_EQ(read_scene(doubling(first, chain, 100)).error, "");
-        EXPECT_EQ(error_text(doubling(first, chain, 20'000)), "The patterns of a texture are nested more than 100 deep.");
+        EXPECT_EQ(error_text(doubling(first, chain, 20'000)),
+                  "The patterns of a texture are nested more than 100 deep. --limit texture-depth=N allows more.");
         EXPECT_TRUE(error_text(doubling(first, chain, 100) + fmt::format("sphere {{ 0, 1 {} {{ P100 }} }}", name)).empty());
     }
     // Pigments inside the cells of textures count as well.
     const std::string mixed =
         doubling(first_pigment, pigment_chain, 100) + "sphere { 0, 1 texture { checker texture { pigment { P100 } } } }";
-    EXPECT_EQ(error_text(mixed), "The patterns of a texture are nested more than 100 deep.");
+    EXPECT_EQ(error_text(mixed), "The patterns of a texture are nested more than 100 deep. --limit texture-depth=N allows more.");
 }
 
-const std::string too_much = "The textures of the scene have more than 10 pigments beyond the first of each.";
+const std::string too_much =
+    "The textures of the scene have more than 10 pigments beyond the first of each. --limit textures=N allows more.";
 
 TEST(TextureLimit, ObjectsCountTogether) {
     ParseOptions options;
@@ -125,7 +131,7 @@ TEST(TextureLimit, NamesCountTogether) {
 TEST(TextureLimit, ManyLayersAreRefusedAtOnce) {
     std::string text = "#declare A =";
     for (int i = 0; i < 100'001; ++i) text += " texture { }";
-    EXPECT_EQ(error_text(text), "A texture has more than 10000 pigments in its layers and cells.");
+    EXPECT_EQ(error_text(text), "A texture has more than 10000 pigments in its layers and cells. --limit texture=N allows more.");
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ std::optional<Animation> chosen_animation(const AnimationDraft& draft) {
     animation.initial_clock = draft.initial_clock.value_or(0.0);
     animation.final_clock = draft.final_clock.value_or(1.0);
     animation.cyclic = draft.cyclic;
+    animation.step = draft.step;
     animation.first = draft.subset_start ? subset_frame(*draft.subset_start, animation) : animation.initial_frame;
     animation.last = draft.subset_end ? subset_frame(*draft.subset_end, animation) : animation.final_frame;
     if (animation.last < animation.first)

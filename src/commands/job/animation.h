@@ -8,12 +8,14 @@
 
 namespace rt {
 
-/// As Initial_Frame, Final_Frame, Initial_Clock, Final_Clock, Cyclic_Animation, Subset_Start_Frame and Subset_End_Frame of POV-Ray say.
+/// As Initial_Frame, Final_Frame, Initial_Clock, Final_Clock, Cyclic_Animation, Frame_Step, Subset_Start_Frame and Subset_End_Frame of
+/// POV-Ray say.
 struct Animation {
     int initial_frame = 1, final_frame = 1;
     double initial_clock = 0.0, final_clock = 1.0;
     bool cyclic = false;      ///< the clock would reach its last value one frame after the last: the film can be repeated without a halt
     int first = 1, last = 1;  ///< those to render
+    int step = 1;             ///< from each of them to the next
 };
 
 /// What the options say; nothing chosen is no animation.
@@ -22,6 +24,7 @@ struct AnimationDraft {
     std::optional<double> initial_clock{}, final_clock{};
     std::optional<double> subset_start{}, subset_end{};  ///< numbers of frames, or below 1 shares of the whole
     bool cyclic = false;
+    int step = 1;
 };
 
 /// Empty for a single picture, which frames 1 to 1 and 0 to 0 are, too. Throws OptionError for frames that there are not.

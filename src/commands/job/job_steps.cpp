@@ -4,7 +4,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 
+#include "commands/base/memory_bound.h"
 #include "commands/base/program.h"
 #include "commands/base/values.h"
 #include "commands/job/course_scene.h"
@@ -12,6 +14,7 @@
 #include "commands/job/picture_files.h"
 #include "commands/job/quality.h"
 #include "commands/job/scene_choices.h"
+#include "syntax/limits.h"
 
 namespace rt {
 
@@ -53,6 +56,17 @@ CompileOptions compile_options(const RenderJob& job, const Scene& scene) {
     return options;
 }
 
+/// What `work` gives; throws LimitError where it gets no memory.
+template <typename Work>
+auto within_memory(const RenderJob& job, const Work& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        throw LimitError(fmt::format("The scene takes more than {:.1f} GB of memory.{}",
+                                     1e-9 * static_cast<double>(job.parse.max_memory_bytes), allow_more("memory")));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> default_library_paths() {
@@ -78,8 +92,9 @@ MessageSink message_sink(bool quiet) {
 
 Scene read_scene(RenderJob& job, const MessageSink& messages) {
     for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
-    job.parse.read_picture = read_picture_file;
-    Scene scene = parse_file(job.scene, job.parse, messages);
+    job.parse.read_picture = [most = job.parse.max_picture_pixels](const std::string& path) { return read_picture_file(path, most); };
+    bound_memory(job.parse.max_memory_bytes / 8 * 9);  // what is found while reading has a place: that comes first
+    Scene scene = within_memory(job, [&] { return parse_file(job.scene, job.parse, messages); });
     apply_scene_choices(scene, job);
     apply_quality(job, scene);
     fill_defaults(job);
@@ -90,7 +105,8 @@ Scene read_scene(RenderJob& job, const MessageSink& messages) {
 World build_world(const RenderJob& job, const Scene& scene, const MessageSink& messages, std::optional<FewRays> few_rays) {
     CompileOptions options = compile_options(job, scene);
     options.few_rays = few_rays;
-    return compile(scene, options, messages);
+    options.max_nodes = job.parse.max_scene_nodes;
+    return within_memory(job, [&] { return compile(scene, options, messages); });
 }
 
 RenderOptions render_options(const RenderJob& job, const Scene& scene) {

@@ -9,6 +9,6 @@
 namespace rt {
 
 /// The picture at a path; empty if there is no such file. Throws OptionError for what cannot be read.
-std::optional<PictureFile> read_picture_file(const std::string& path);
+std::optional<PictureFile> read_picture_file(const std::string& path, std::size_t max_pixels);
 
 }  // namespace rt

@@ -15,6 +15,7 @@ struct PovraySetting {
         unavailable,  ///< asks, when on, for something that the program has not and that leaves the picture as it is: a note
         always_on,    ///< what the program does anyway: a note when off
         ignored,      ///< of no meaning here: a note
+        command,      ///< one that the program does not start: a note
         settled,      ///< of no meaning here and nothing that anybody would miss
         unmodelled,   ///< changes the picture when on and is not available: an error
     };

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "commands/base/suggest.h"
 #include "commands/base/values.h"
@@ -31,10 +33,19 @@ bool is_setting(std::string_view word) {
     return true;
 }
 
-/// "file.ini" or "file.ini[section]".
-bool is_ini_file(std::string_view word) {
-    if (word.ends_with(']')) word = word.substr(0, word.rfind('['));
-    return word.size() > 4 && lower_case(word.substr(word.size() - 4)) == ".ini";
+bool is_file(const std::string& name) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(name, ignored);
+}
+
+/// The INI file that `word` names: "file.ini" or "file.ini[section]", or the same without the ending where there is such a file and no
+/// scene that the word could mean. Empty if it names none.
+std::string ini_file_of(const std::string& word) {
+    const std::size_t open = word.ends_with(']') ? word.rfind('[') : std::string::npos;
+    const std::string name = word.substr(0, open), section = open == std::string::npos ? "" : word.substr(open);
+    if (name.size() > 4 && lower_case(name.substr(name.size() - 4)) == ".ini") return word;
+    const bool plain = !name.empty() && !std::filesystem::path(name).has_extension() && is_file(name + ".ini");
+    return plain && !is_file(word) && !is_file(word + ".pov") ? name + ".ini" + section : "";
 }
 
 bool is_gnu_short(const std::string& word, const std::vector<std::string>& more) {
@@ -88,19 +99,22 @@ class Translator {
 public:
     Translator(const OwnOptions& own) : own_(own) {}
 
+    void defaults();
     void command_line(const std::vector<std::string>& words);
     Translation result;
 
 private:
     const OwnOptions& own_;
-    std::vector<std::string> open_;  ///< INI files that are being read, each with its section
-    int files_ = 0;                  ///< INI files read so far
-    std::size_t tried_ = 0;          ///< words up to here come from lines that have been tried out
-    bool placed_ = false;            ///< the mistake on its way out names its line already
+    std::vector<std::string> open_;         ///< INI files that are being read, each with its section
+    int files_ = 0;                         ///< INI files read so far
+    std::optional<std::size_t> ini_scene_;  ///< which of the words is the last scene that an INI file's Input_File_Name named
+    std::size_t tried_ = 0;                 ///< words up to here come from lines that have been tried out
+    bool placed_ = false;                   ///< the mistake on its way out names its line already
 
     bool our_option(const std::vector<std::string>& words, std::size_t& i);
     bool povray_word(const std::string& word);
     bool switch_word(const std::string& word);
+    void other_word(const std::string& word);
     std::string without_fraction(std::string_view value, const std::string& written);
     void setting(const std::string& key, std::string_view value, const std::string& written);
     void ini_file(std::string_view word);
@@ -116,8 +130,32 @@ void Translator::command_line(const std::vector<std::string>& words) {
             result.words.insert(result.words.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
             return;
         }
-        if (!our_option(words, i) && !povray_word(word)) result.words.push_back(word);
+        if (!our_option(words, i) && !povray_word(word)) other_word(word);
     }
+}
+
+/// $POVINI, else povray.ini in the current folder, as POV-Ray looks for them.
+void Translator::defaults() {
+    std::string name = "povray.ini";
+    if (const char* named = std::getenv("POVINI"); named && *named != '\0') {
+        if (is_file(named))
+            name = named;
+        else
+            result.notes.push_back(fmt::format("POVINI: there is no file '{}'", printable(named)));
+    }
+    if (!is_file(name)) return;
+    result.notes.push_back(fmt::format("defaults are those of '{}'", printable(name)));
+    ini_file(name);
+}
+
+/// Perhaps a scene: that of an INI file before it counts no more.
+void Translator::other_word(const std::string& word) {
+    if (ini_scene_ && !word.starts_with('-')) {
+        result.words.erase(result.words.begin() + static_cast<std::ptrdiff_t>(*ini_scene_));
+        ini_scene_.reset();
+        --tried_;
+    }
+    result.words.push_back(word);
 }
 
 /// Takes words[i] if it is an option in our own syntax, with its value if that is the next word.
@@ -137,11 +175,9 @@ bool Translator::povray_word(const std::string& word) {
         setting(word.substr(0, equals), unquoted(std::string_view(word).substr(equals + 1)), word);
         return true;
     }
-    if (is_ini_file(word)) {
-        ini_file(word);
-        return true;
-    }
-    return false;
+    const std::string file = ini_file_of(word);
+    if (!file.empty()) ini_file(file);
+    return !file.empty();
 }
 
 bool Translator::switch_word(const std::string& word) {
@@ -193,6 +229,7 @@ void Translator::setting(const std::string& key, std::string_view value, const s
     switch (found->kind) {
         case Kind::value:
             if (value.empty()) throw OptionError(fmt::format("setting '{}' needs a value", key));
+            if (!open_.empty() && found->option == "--input") ini_scene_ = result.words.size();
             result.words.push_back(fmt::format("{}={}", found->option, value));
             break;
         case Kind::whole:
@@ -210,6 +247,9 @@ void Translator::setting(const std::string& key, std::string_view value, const s
             break;
         case Kind::ignored:
             ignore();
+            break;
+        case Kind::command:
+            if (!value.empty()) result.notes.push_back(fmt::format("{}: no command is ever started", printable(written, most_shown)));
             break;
         case Kind::settled:
             break;
@@ -249,11 +289,11 @@ void Translator::ini_lines(std::istream& in, const std::string& name, const std:
     for (std::string line; std::getline(in, line);) {
         ++number;
         std::replace(line.begin(), line.end(), '\0', '\x01');  // no text has either, but a message would end at the one
-        const std::string_view text = trimmed(number == 1 ? without_byte_order_mark(line) : line);
-        if (text.starts_with('[') && text.ends_with(']')) {
-            active = !wanted.empty() && lower_case(text.substr(1, text.size() - 2)) == wanted;
+        std::string_view text = trimmed(number == 1 ? without_byte_order_mark(line) : line);
+        if (const std::size_t close = text.find(']'); text.starts_with('[') && close != std::string_view::npos) {
+            active = !wanted.empty() && lower_case(text.substr(1, close - 1)) == wanted;
             found = found || active;
-            continue;
+            text.remove_prefix(close + 1);
         }
         if (!active) continue;
         try {
@@ -306,8 +346,9 @@ void Translator::ini_word(const std::string& word) {
 
 }  // namespace
 
-Translation translate_povray_syntax(const std::vector<std::string>& words, const OwnOptions& own) {
+Translation translate_povray_syntax(const std::vector<std::string>& words, const OwnOptions& own, Defaults defaults) {
     Translator translator(own);
+    if (defaults == Defaults::of_povray) translator.defaults();
     translator.command_line(words);
     return std::move(translator.result);
 }

@@ -22,9 +22,14 @@ struct OwnOptions {
     std::vector<std::string> short_names = {};  ///< those that a render has not, e.g. "-j", which otherwise is POV-Ray's
 };
 
+/// Whether the INI file comes first that POV-Ray reads without being asked: the one that the variable POVINI names, else povray.ini in the
+/// current folder. A note says so.
+enum class Defaults { none, of_povray };
+
 /// Turns +X and -X switches, Name=value settings and .ini files (with an optional [section]) into GNU options "--name=value". Other
 /// words stay; so do those that belong to an option of ours before them, and everything behind `--`.
 /// Throws OptionError for an unknown switch or key, with a suggestion, and for every mistake in an INI file, with its place.
-Translation translate_povray_syntax(const std::vector<std::string>& words, const OwnOptions& own);
+/// A scene that an INI file names gives way to one that is named behind it.
+Translation translate_povray_syntax(const std::vector<std::string>& words, const OwnOptions& own, Defaults defaults = Defaults::none);
 
 }  // namespace rt

@@ -26,13 +26,15 @@ void define_render(CommandLine& line, RenderDraft& d) {
     define_run(line, d.job);
 }
 
-Translation translate(const std::vector<std::string>& words, const CommandLine& line) {
+Translation translate(const std::vector<std::string>& words, const CommandLine& line, Defaults defaults = Defaults::none) {
     RenderDraft trial;
     CommandLine trial_line(render_usage, render_footer);
     define_render(trial_line, trial);
-    return translate_povray_syntax(words, {.takes_value = [&](const std::string& word) { return line.takes_value(word); },
-                                           .long_names = line.long_names(),
-                                           .try_out = [&](const std::vector<std::string>& option) { trial_line.parse(option); }});
+    return translate_povray_syntax(words,
+                                   {.takes_value = [&](const std::string& word) { return line.takes_value(word); },
+                                    .long_names = line.long_names(),
+                                    .try_out = [&](const std::vector<std::string>& option) { trial_line.parse(option); }},
+                                   defaults);
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ std::optional<RequiresArguments> parse_requires_arguments(const std::vector<std:
     define_run(line, draft.job);
     line.values("--input", "FILE", "", [&](const std::string& v) { arguments.scenes.push_back(scene_path(v)); });
 
-    const std::vector<std::string> others = line.parse(translate(words, line).words);
+    const std::vector<std::string> others = line.parse(translate(words, line, Defaults::of_povray).words);
     if (line.help_asked()) {
         help = line.help();
         return std::nullopt;
@@ -96,7 +98,7 @@ std::optional<RenderJob> parse_render_arguments(const std::vector<std::string>& 
     CommandLine line(render_usage, render_footer);
     define_render(line, draft);
 
-    const Translation translation = translate(words, line);
+    const Translation translation = translate(words, line, Defaults::of_povray);
     const std::vector<std::string> others = line.parse(translation.words);
     if (line.help_asked()) {
         help = line.help();

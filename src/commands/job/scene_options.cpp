@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "commands/base/values.h"
+#include "commands/job/limit_options.h"
 #include "core/source.h"
 #include "syntax/words.h"
 
@@ -47,6 +48,7 @@ void define_animation(CommandLine& line, AnimationDraft& d) {
     clock("--final-clock", d.final_clock);
     subset("--subset-start-frame", d.subset_start);
     subset("--subset-end-frame", d.subset_end);
+    line.value("--frame-step", "N", "", [&](const std::string& v) { d.step = whole_number("frame step", v, 1, most_frames); });
     line.value("--cyclic-animation", "ON", "", [&](const std::string& v) { d.cyclic = on_or_off("Cyclic_Animation", v); });
 }
 
@@ -64,6 +66,8 @@ void define_scene(CommandLine& line, RenderDraft& d) {
         job.parse.declares.emplace_back(v.substr(0, equals), std::string(unquoted(std::string_view(v).substr(equals + 1))));
     });
     line.value("--language", "V", "", [&](const std::string& v) { job.parse.version = real_number("language version", v, 0.0, 99.0); });
+    line.values("--limit", "NAME=N", "", [&](const std::string& v) { set_limit(job.parse, v); });
+    line.value("--header", "FILE", "", [&](const std::string& v) { job.parse.header = v; });
     line.value("--clock", "X", "", [&](const std::string& v) {
         job.parse.clock = real_number("clock", v, -unbounded, unbounded);
         job.parse.frame.clock_on = true;

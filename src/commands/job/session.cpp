@@ -165,15 +165,16 @@ int run_session(RenderJob job) {
 
 int run_animation(const RenderJob& job) {
     const Animation& animation = *job.animation;
-    const int frames = animation.last - animation.first + 1;
+    const int frames = (animation.last - animation.first) / animation.step + 1;
     const OutputTarget target = output_target(job.output, job.scene);
     const MessageSink messages = message_sink(job.quiet);
-    for (int number = animation.first; number <= animation.last; ++number) {
+    for (int i = 0; i < frames; ++i) {
+        const int number = animation.first + i * animation.step;
         RenderJob frame = job;
-        if (number != animation.first) frame.notes.clear();
+        if (i > 0) frame.notes.clear();
         set_frame(frame.parse, animation, number);
         frame.output.name = frame_name(target.path, animation, number);
-        if (job.progress) messages(fmt::format("raytrace: frame {} ({} of {})", number, number - animation.first + 1, frames));
+        if (job.progress) messages(fmt::format("raytrace: frame {} ({} of {})", number, i + 1, frames));
         if (const int status = run_session(std::move(frame)); status != 0) return status;
     }
     return 0;

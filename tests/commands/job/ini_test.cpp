@@ -1,6 +1,9 @@
 // INI files: settings, switches, comments, sections.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "commands/job/povray_settings.h"
 #include "commands/job/povray_syntax.h"
 #include "core/source.h"
 #include "tests/commands/support.h"
@@ -53,6 +56,212 @@ TEST(Ini, OnlyTheChosenSectionCounts) {
     EXPECT_EQ(translate({"a.ini[small]"}).words, (Words{"--width=1", "--width=2"}));
     EXPECT_EQ(translate({"a.ini[big ONE]"}).words, (Words{"--width=1", "--width=3"}));
     EXPECT_EQ(error_of({"a.ini[none]"}), "INI file 'a.ini' has no section [none]");
+}
+
+// As POV-Ray 3.7 reads it.
+TEST(Ini, ASectionsLineMayGoOn) {
+    const test::Workplace here;
+    here.write("a.ini", "Width=1\n [small] ; less\nWidth=2\n[large]Width=3\n[]\nWidth=4\n[small] Height=5 # more\n");
+    EXPECT_EQ(translate({"a.ini[small]"}).words, (Words{"--width=1", "--width=2", "--height=5"}));
+    EXPECT_EQ(translate({"a.ini[large]"}).words, (Words{"--width=1", "--width=3"}));
+    EXPECT_EQ(translate({"a.ini"}).words, (Words{"--width=1"}));
+    here.write("b.ini", "[small\nWidth=2\n");
+    EXPECT_EQ(error_of({"b.ini"}), "File 'b.ini' line 1: expected Name=value, a switch (+W640) or a scene (NAME.pov), not '[small'");
+}
+
+TEST(Ini, TheEndingMayBeLeftOutWhereNoSceneHasTheName) {
+    const test::Workplace here;
+    here.write("a.ini", "Width=1\n[small]\nWidth=2\n");
+    EXPECT_EQ(translate({"a"}).words, (Words{"--width=1"}));
+    EXPECT_EQ(translate({"a[small]"}).words, (Words{"--width=1", "--width=2"}));
+    EXPECT_EQ(translate({"b", "b[small]"}).words, (Words{"b", "b[small]"}));
+    here.write("a.pov", "");
+    EXPECT_EQ(translate({"a"}).words, (Words{"a"}));
+}
+
+TEST(Ini, SeveralFilesAndSwitchesCountInTheirOrder) {
+    const test::Workplace here;
+    here.write("a.ini", "Width=1\nHeight=1\n");
+    here.write("b.ini", "Width=2\n");
+    EXPECT_EQ(translate({"a.ini", "+W7", "b.ini"}).words, (Words{"--width=1", "--height=1", "--width=7", "--width=2"}));
+}
+
+// As in POV-Ray 3.7, the last scene counts.
+TEST(Ini, ASceneNamedBehindTheFileReplacesTheFiles) {
+    const test::Workplace here;
+    here.write("a.ini", "Input_File_Name=a.pov\nWidth=1\n");
+    EXPECT_EQ(translate({"a.ini", "b.pov"}).words, (Words{"--width=1", "b.pov"}));
+    EXPECT_EQ(translate({"a.ini", "-W3", "b.pov", "c.pov"}).words, (Words{"--width=1", "-W3", "b.pov", "c.pov"}));
+    EXPECT_EQ(translate({"b.pov", "a.ini"}).words, (Words{"b.pov", "--input=a.pov", "--width=1"}));
+    EXPECT_EQ(translate({"a.ini", "+Ib.pov"}).words, (Words{"--input=a.pov", "--width=1", "--input=b.pov"}));
+}
+
+TEST(Ini, CommandsAreNeverStarted) {
+    const test::Workplace here;
+    here.write("a.ini", "Pre_Scene_Command=touch there\nPost_Frame_Command=touch %o\nUser_Abort_Command=\nPre_Scene_Return=F\n");
+    const Translation t = translate({"a.ini"});
+    EXPECT_EQ(t.words, Words{});
+    EXPECT_EQ(t.notes, (Words{"Pre_Scene_Command=touch there: no command is ever started",
+                              "Post_Frame_Command=touch %o: no command is ever started"}));
+    EXPECT_EQ(t.ignored, (Words{"Pre_Scene_Return=F"}));
+}
+
+/// A variable of the environment while this lives.
+class Variable {
+public:
+    Variable(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
+    ~Variable() { unsetenv(name_); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+private:
+    const char* name_;
+};
+
+Translation with_defaults(const Words& words) {
+    return translate_povray_syntax(
+        words, {.takes_value = [](const std::string&) { return false; }, .long_names = {}, .try_out = [](const Words&) {}},
+        Defaults::of_povray);
+}
+
+TEST(Ini, DefaultsComeFromTheFileOfThatNameOrTheVariables) {
+    const test::Workplace here;
+    EXPECT_EQ(with_defaults({"+W7"}).words, (Words{"--width=7"}));
+    here.write("povray.ini", "Width=1\n");
+    here.write("mine", "Width=2\n");
+    EXPECT_EQ(translate({"+W7"}).words, (Words{"--width=7"}));
+    EXPECT_EQ(with_defaults({"+W7"}).words, (Words{"--width=1", "--width=7"}));
+    EXPECT_EQ(with_defaults({}).notes, (Words{"defaults are those of 'povray.ini'"}));
+    {
+        const Variable named("POVINI", "mine");
+        EXPECT_EQ(with_defaults({}).words, (Words{"--width=2"}));
+        EXPECT_EQ(with_defaults({}).notes, (Words{"defaults are those of 'mine'"}));
+    }
+    const Variable missing("POVINI", "none");
+    EXPECT_EQ(with_defaults({}).words, (Words{"--width=1"}));
+    EXPECT_EQ(with_defaults({}).notes, (Words{"POVINI: there is no file 'none'", "defaults are those of 'povray.ini'"}));
+    here.write("povray.ini", "Widht=1\n");
+    EXPECT_THROW(with_defaults({}), OptionError);
+}
+
+/// Accepted by POV-Ray 3.7.0.10, each by itself in an INI file.
+TEST(Ini, EverySettingOfPovrayIsKnown) {
+    for (const char* key : {"All_Console",
+                            "All_File",
+                            "Antialias",
+                            "Antialias_Depth",
+                            "Antialias_Gamma",
+                            "Antialias_Threshold",
+                            "Append_File",
+                            "Bits_Per_Color",
+                            "Bits_Per_Colour",
+                            "Bounding",
+                            "Bounding_Method",
+                            "Bounding_Threshold",
+                            "BSP_BaseAccessCost",
+                            "BSP_ChildAccessCost",
+                            "BSP_IsectCost",
+                            "BSP_MaxDepth",
+                            "BSP_MissChance",
+                            "Buffer_Output",
+                            "Buffer_Size",
+                            "Clock",
+                            "Clockless_Animation",
+                            "Compression",
+                            "Continue_Trace",
+                            "Create_Ini",
+                            "Cyclic_Animation",
+                            "Debug_Console",
+                            "Debug_File",
+                            "Declare",
+                            "Display",
+                            "Display_Gamma",
+                            "Dither",
+                            "Dither_Method",
+                            "Draw_Vistas",
+                            "End_Column",
+                            "End_Row",
+                            "Fatal_Console",
+                            "Fatal_Error_Command",
+                            "Fatal_Error_Return",
+                            "Fatal_File",
+                            "Field_Render",
+                            "File_Gamma",
+                            "Final_Clock",
+                            "Final_Frame",
+                            "Frame_Step",
+                            "Grayscale_Output",
+                            "Height",
+                            "High_Reproducibility",
+                            "Histogram_Grid_Size",
+                            "Histogram_Name",
+                            "Histogram_Type",
+                            "Include_Header",
+                            "Initial_Clock",
+                            "Initial_Frame",
+                            "Input_File_Name",
+                            "Jitter",
+                            "Jitter_Amount",
+                            "Library_Path",
+                            "Light_Buffer",
+                            "Max_Image_Buffer_Memory",
+                            "Odd_Field",
+                            "Output_Alpha",
+                            "Output_File_Name",
+                            "Output_File_Type",
+                            "Output_to_File",
+                            "Palette",
+                            "Pause_When_Done",
+                            "Post_Frame_Command",
+                            "Post_Frame_Return",
+                            "Post_Scene_Command",
+                            "Post_Scene_Return",
+                            "Pre_Frame_Command",
+                            "Pre_Frame_Return",
+                            "Pre_Scene_Command",
+                            "Pre_Scene_Return",
+                            "Preview_End_Size",
+                            "Preview_Start_Size",
+                            "Quality",
+                            "Radiosity_File_Name",
+                            "Radiosity_From_File",
+                            "Radiosity_To_File",
+                            "Radiosity_Vain_Pretrace",
+                            "Real_Time_Raytracing",
+                            "Remove_Bounds",
+                            "Render_Block_Size",
+                            "Render_Block_Step",
+                            "Render_Console",
+                            "Render_File",
+                            "Render_Pattern",
+                            "Sampling_Method",
+                            "Split_Unions",
+                            "Start_Column",
+                            "Start_Row",
+                            "Statistic_Console",
+                            "Statistic_File",
+                            "Subset_End_Frame",
+                            "Subset_Start_Frame",
+                            "Test_Abort",
+                            "Test_Abort_Count",
+                            "User_Abort_Command",
+                            "User_Abort_Return",
+                            "Verbose",
+                            "Version",
+                            "Video_Mode",
+                            "Vista_Buffer",
+                            "Warning_Console",
+                            "Warning_File",
+                            "Warning_Level",
+                            "Width",
+                            "Work_Threads"})
+        EXPECT_NE(find_povray_setting(key), nullptr) << key;
+}
+
+TEST(Ini, WhatChangesThePictureAndIsNotThereIsRefusedByName) {
+    EXPECT_EQ(error_of({"Grayscale_Output=on"}), "Grayscale_Output (from 'Grayscale_Output=on') is not available in this version");
+    EXPECT_EQ(error_of({"Clockless_Animation=on"}), "Clockless_Animation (from 'Clockless_Animation=on') is not available in this version");
+    EXPECT_EQ(translate({"Field_Render=on", "+UO", "Field_Render=off"}).ignored, (Words{"Field_Render=on", "+UO"}));
 }
 
 TEST(Ini, OneFileMayIncludeAnotherButNotItself) {
