@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "commands/base/interrupt.h"
 #include "commands/base/program.h"
@@ -35,7 +36,8 @@ int main(int argc, char** argv) {
     } catch (const rt::OutputError& error) {
         return report(exit_not_written, error.what());
     } catch (const rt::LimitError& error) {
-        return report(exit_limit, error.what());
+        const bool placed = std::string_view(error.what()).starts_with("File '");  // likewise
+        return report(exit_limit, error.what(), placed ? "" : "raytrace: ");
     } catch (const std::bad_alloc&) {
         return report(exit_limit, "out of memory");
     } catch (const std::exception& error) {

@@ -108,8 +108,8 @@ constexpr const char* povray_topic =
 Declare=NAME=VALUE Dither=on File_Gamma=2.2|srgb
 
 Include_Header=FILE (+HI) is read before the scene. $POVINI, else ./povray.ini,
-comes first. Commands (Pre_Scene_Command) are never started. What has no meaning
-here (displays, bounding, buffers, message files) is named in one note.
+comes first. Commands (Pre_Scene_Command) are never started. What has no
+meaning here (displays, bounding, buffers, message files) is named in one note.
 )";
 
 constexpr const char* scene_topic =

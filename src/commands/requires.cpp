@@ -11,6 +11,7 @@
 
 #include "commands/base/interrupt.h"
 #include "commands/base/json_text.h"
+#include "commands/base/memory_bound.h"
 #include "commands/base/program.h"
 #include "commands/base/scene_folder.h"
 #include "commands/base/task_progress.h"
@@ -62,7 +63,8 @@ SceneReading read(const std::string& scene, const ParseOptions& options) {
     } catch (const OptionError& error) {
         return failed(scene, fmt::format("raytrace: {}", error.what()), exit_mistake);
     } catch (const LimitError& error) {
-        return failed(scene, fmt::format("raytrace: {}", error.what()), exit_limit);
+        const bool placed = std::string_view(error.what()).starts_with("File '");
+        return failed(scene, fmt::format("{}{}", placed ? "" : "raytrace: ", error.what()), exit_limit);
     } catch (const std::bad_alloc&) {
         return failed(scene, "raytrace: out of memory", exit_limit);
     }
@@ -140,6 +142,7 @@ int run_requires(const Words& words) {
     arguments->parse.read_picture = [most = arguments->parse.max_picture_pixels](const std::string& path) {
         return read_picture_file(path, most);
     };
+    bound_memory(arguments->parse.max_memory_bytes / 8 * 9);
     const std::vector<std::string> scenes = all_scenes(arguments->scenes);
     std::vector<SceneReading> readings;
     {

@@ -20,6 +20,14 @@ VariablePtr copy_of(const VariablePtr& variable) {
 
 }  // namespace
 
+std::size_t count_elements(const ArrayValue& array) {
+    std::size_t count = array.elements.size();
+    if (array.depth == 1) return count;
+    for (const VariablePtr& element : array.elements)
+        if (const auto* inner = element ? std::get_if<ArrayValue>(&element->value) : nullptr) count += count_elements(*inner);
+    return count;
+}
+
 void own_elements(Value& value) {
     if (auto* array = std::get_if<ArrayValue>(&value))
         for (VariablePtr& element : array->elements) element = copy_of(element);

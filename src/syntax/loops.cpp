@@ -110,10 +110,13 @@ void Reader::State::count_replay(const Span& place, std::size_t bytes) {
 }
 
 void Reader::State::check_memory(const Span& place) {
-    if (memory_in_use() > options.max_memory_bytes)
-        reader.fail_limit(
-            place, fmt::format("The scene takes more than {:.1f} GB of memory.", static_cast<double>(options.max_memory_bytes) * 1e-9),
-            "memory");
+    if (memory_in_use() > options.max_memory_bytes) fail_memory(place);
+}
+
+void Reader::State::fail_memory(const Span& place) {
+    reader.fail_limit(place,
+                      fmt::format("The scene takes more than {:.1f} GB of memory.", static_cast<double>(options.max_memory_bytes) * 1e-9),
+                      "memory");
 }
 
 }  // namespace rt

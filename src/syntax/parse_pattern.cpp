@@ -23,7 +23,14 @@ Numbers& require(Reader& reader, const Token& word, StatedPattern& stated, std::
     reader.fail(word.span, fmt::format("Keyword '{}' {}.", text(word.word), refusal));
 }
 
-int parse_iterations(Reader& reader) { return std::max(parse_int(reader), 1); }
+/// Each costs at every point of the set, so there is an end.
+int parse_iterations(Reader& reader) {
+    constexpr int most_iterations = 1'000'000;
+    const int iterations = parse_int(reader);
+    if (iterations > most_iterations)
+        reader.fail(reader.last_place(), fmt::format("A fractal pattern has at most {} iterations.", most_iterations));
+    return std::max(iterations, 1);
+}
 
 /// `mandel n`, `julia c, n`, `magnet 1 mandel n` and so on, after the kind's word.
 void parse_fractal(Reader& reader, PatternKind kind, FractalNumbers& numbers) {

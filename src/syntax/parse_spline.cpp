@@ -98,11 +98,12 @@ Number Expression::function_value(const Function& function, const Span& place) {
 }
 
 double Reader::evaluate(const Function& function, std::span<const double> arguments, const Span& place) {
-    const std::uint64_t limit = state_->options.max_replayed_bytes;
-    std::uint64_t left = limit;
+    const std::uint64_t most = state_->options.max_replayed_bytes / 8;  // a step takes longer than a byte
+    std::uint64_t left = most;
     const std::optional<double> value = rt::evaluate(function, arguments, left);
-    state_->count_replay(place, limit - left + (value ? 0 : 1));
-    return value.value_or(0.0);
+    if (!value) fail_limit(place, fmt::format("A call of a function takes more than {} steps.", most), "reread");
+    state_->count_replay(place, most - left);
+    return *value;
 }
 
 /// spline(t [, kind])

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 #include "syntax/blocks.h"
 #include "syntax/file_text.h"
 #include "syntax/reader_state.h"
@@ -39,7 +41,11 @@ Scene parse_text(SourceFile file, const ParseOptions& options, const MessageSink
     Scene scene;
     Reader reader(options, scene, messages);
     reader.open(std::move(file));
-    parse_scene(reader);
+    try {
+        parse_scene(reader);
+    } catch (const std::bad_alloc&) {
+        reader.fail_memory();
+    }
     if (!reader.version_stated()) reader.warn({}, version_missing);
     if (reader.version_came_late()) reader.warn({}, version_late);
     if (reader.any_spline()) reader.warn({}, experimental_spline);

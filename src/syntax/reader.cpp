@@ -155,7 +155,7 @@ std::optional<Value> Reader::accept_any_declared() {
 }
 
 Value Reader::State::copy_of(const Span& place, const Value& value) {
-    if (const auto* array = std::get_if<ArrayValue>(&value)) count_replay(place, 16 * array->elements.size());
+    if (const auto* array = std::get_if<ArrayValue>(&value)) count_replay(place, 16 * count_elements(*array));
     Value copy = value;
     own_elements(copy);
     return copy;
@@ -233,6 +233,7 @@ void Reader::count_scene_nodes(const Span& place, std::size_t nodes) {
 }
 
 void Reader::check_memory() { state_->check_memory(last_place()); }
+void Reader::fail_memory() { state_->fail_memory(last_place()); }
 
 void Reader::count_parts(const Span& place, std::size_t parts) {
     const std::size_t most = options().max_set_parts;

@@ -132,6 +132,7 @@ public:
     void count_scene_nodes(const Span& place, std::size_t nodes);
     /// Throws LimitError at the last token if the program takes too much memory.
     void check_memory();
+    [[noreturn]] void fail_memory();  ///< the same in any case
     /// Counts objects that become parts of sets, or are placed as such, and throws LimitError at `place` where they are too many.
     void count_parts(const Span& place, std::size_t parts);
     /// The largest `Object::medium` in the scene.

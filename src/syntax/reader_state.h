@@ -94,6 +94,7 @@ struct Reader::State : Reader::Cursor {
     /// Counts text that is read again; throws LimitError where it is too much or memory runs out.
     void count_replay(const Span& place, std::size_t bytes);
     void check_memory(const Span& place);
+    [[noreturn]] void fail_memory(const Span& place);
     /// A copy that shares nothing with `value`; what it costs is counted.
     Value copy_of(const Span& place, const Value& value);
 

@@ -125,5 +125,7 @@ std::string_view kind_of(const Value& value);
 
 /// Gives an array that was copied elements of its own; of other values nothing is shared.
 void own_elements(Value& value);
+/// Elements that have a value, those of arrays inside it included; and places for one.
+std::size_t count_elements(const ArrayValue& array);
 
 }  // namespace rt

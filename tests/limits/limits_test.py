@@ -33,7 +33,7 @@ def write(folder, name, content):
 
 
 def run(program, words, folder):
-    """Exit status (negative: signal, None: it hung), what it said, seconds, peak MB."""
+    """Exit status (negative: signal, None: it hung), what it said, seconds of processors, peak MB."""
     with open(pathlib.Path(folder, "err"), "w+b") as err:
         before = time.monotonic()
         child = subprocess.Popen([program, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err)
@@ -47,10 +47,9 @@ def run(program, words, folder):
                 child.kill()
             time.sleep(0.005)
         child.returncode = os.waitstatus_to_exitcode(status)
-        seconds = time.monotonic() - before
         err.seek(0)
         said = err.read(4000).decode(errors="replace")
-    return None if late else child.returncode, said, seconds, usage.ru_maxrss / 1024
+    return None if late else child.returncode, said, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
 def problem_of(case, status, said, megabytes):
@@ -105,7 +104,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     chosen = [case for case in cases.ALL if not names or any(name in case.name for name in names)]
     if DEEP:
-        print("| case | size | time | memory | result |\n|---|---|---|---|---|")
+        print("| case | size | processor time | memory | result |\n|---|---|---|---|---|")
     problems = {case.name: check(program, case) for case in chosen}
     if not names:
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -131,17 +131,21 @@ def listed(before, item, after, n, separator=" "):
 # --- pictures and other files
 
 
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def png_header(width, height):
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+
+
 def png(width, height):
     """A black grey picture, which takes a thousandth of its size."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
     packer = zlib.compressobj(9)
     rows = 4096
     line = bytes(width + 1)
     packed = b"".join(packer.compress(line * min(rows, height - y)) for y in range(0, height, rows)) + packer.flush()
-    header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", packed) + chunk(b"IEND", b"")
+    return png_header(width, height) + chunk(b"IDAT", packed) + chunk(b"IEND", b"")
 
 
 def numbers(n):

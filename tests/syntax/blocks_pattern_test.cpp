@@ -31,6 +31,12 @@ TEST(PatternBlock, ColorMapsHaveNewAndOldEntries) {
     EXPECT_TRUE(std::holds_alternative<std::monostate>(pigment("granite").map)) << "the kind's own";
 }
 
+TEST(PatternBlock, RoundsOfFractalsAreLimited) {
+    EXPECT_EQ(error_in_pigment("mandel 1000000"), "");
+    EXPECT_EQ(error_in_pigment("mandel 1000001"), "A fractal pattern has at most 1000000 iterations.");
+    EXPECT_EQ(error_in_pigment("magnet 1 julia <1, 2>, 1000001"), "A fractal pattern has at most 1000000 iterations.");
+}
+
 TEST(PatternBlock, MapsThatDoNotFitAreRefused) {
     EXPECT_EQ(error_in_pigment("bozo color_map { }"), "Must have at least one color in color map.");
     EXPECT_EQ(error_in_pigment("bozo pigment_map { }"), "Must have at least one entry in map.");

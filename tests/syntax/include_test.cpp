@@ -158,8 +158,9 @@ TEST_F(FilesOnDisk, SizeIsLimited) {
     ParseOptions options;
     options.max_file_bytes = 30;
     const std::string big = write("big.inc", std::string(31, ' '));
-    EXPECT_EQ(parse(big, options), "File '" + big + "' is larger than 30 bytes.");
-    EXPECT_EQ(parse(write("scene.pov", "#include \"big.inc\""), options), "File '" + big + "' is larger than 30 bytes.");
+    EXPECT_EQ(parse(big, options), "File '" + big + "' is larger than 30 bytes. --limit file=N allows more.");
+    EXPECT_EQ(parse(write("scene.pov", "#include \"big.inc\""), options),
+              "File '" + big + "' is larger than 30 bytes. --limit file=N allows more.");
     const Outcome o = read_scene(std::string(31, ' '), options);
     EXPECT_TRUE(o.limit);
 }

@@ -71,6 +71,14 @@ TEST(LanguageLimit, ArraysAndFilesAreLimited) {
     limit_text("#fopen F \"o\" write #write(F,\"0123456789\") #while(1) #fopen G \"o\" read #end", options);
 }
 
+TEST(LanguageLimit, ElementsOfArraysInArraysCountWhenTheyAreCopied) {
+    ParseOptions options;
+    options.max_replayed_bytes = 100'000;
+    std::string scene = "#declare A0 = array[1] { 1 }\n";
+    for (int i = 0; i < 60; ++i) scene += fmt::format("#declare A{1} = array[2] {{ A{0}, A{0} }}\n", i, i + 1);
+    EXPECT_THAT(limit_text(scene, options), testing::HasSubstr("bytes of text again. --limit reread=N allows more.\n  12 | #declare A11"));
+}
+
 TEST(LanguageLimit, MemoryIsLookedAtWhileLoopsRun) {
     ParseOptions options;
     options.max_memory_bytes = 1'000'000;  // what every process has

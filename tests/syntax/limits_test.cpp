@@ -67,7 +67,7 @@ TEST(SceneLimits, ThePlaceIsShown) {
     EXPECT_EQ(read_scene("\n#declare S = concat(\"ab\", \"cd\");", options).error,
               "File 't.pov' line 2: Parse Error: A string is longer than 3 bytes. --limit string=N allows more.\n"
               "   2 | #declare S = concat(\"ab\", \"cd\");\n"
-              "     |              ^^^^^^^^^^^^^^^^^^");
+              "     |              ^^^^^^^^^^^^^^^^^");
 }
 
 }  // namespace

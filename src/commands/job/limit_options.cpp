@@ -42,10 +42,11 @@ std::optional<std::uint64_t> number_of(const SceneLimit& limit, const std::strin
     return value;
 }
 
-/// As it can be written behind the equals sign; rounded where it is the machine's.
+/// As it can be written behind the equals sign, to two digits at least.
 std::string short_text(const SceneLimit& limit, std::uint64_t value) {
     std::size_t unit = 0;
-    for (; unit < units.size() && value >= step(limit) && (value % step(limit) == 0 || limit.bytes); ++unit) value /= step(limit);
+    for (; unit < units.size() && value >= step(limit) && (value % step(limit) == 0 || value >= 10 * step(limit)); ++unit)
+        value /= step(limit);
     return unit == 0 ? fmt::format("{}", value) : fmt::format("{}{}", value, "kMG"[unit - 1]);
 }
 

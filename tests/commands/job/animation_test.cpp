@@ -110,7 +110,7 @@ TEST_F(Frames, AStepLeavesSomeOut) {
     const Outcome film = run({"a.pov", "-W16", "-H12", "+KFF6", "+SF2", "Frame_Step=3", "-o", "film.ppm"});
     EXPECT_EQ(film.err, "raytrace: frame 2 (1 of 2)\n2 0.20 0.20 1\nraytrace: frame 5 (2 of 2)\n5 0.80 0.20 1\n");
     EXPECT_EQ(here.files(), (Words{"a.pov", "film2.ppm", "film5.ppm"}));
-    EXPECT_EQ(run({"a.pov", "+KFF6", "Frame_Step=0"}).err, "raytrace: frame step: 0 is not in 1..1073741824\n");
+    EXPECT_EQ(run({"a.pov", "+KFF6", "Frame_Step=0"}).err, "raytrace: frame step: 0 is outside 1 to 1073741824\n");
 }
 
 TEST_F(Frames, AMistakeInOneEndsThem) {

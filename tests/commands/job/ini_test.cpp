@@ -91,7 +91,7 @@ TEST(Ini, ASceneNamedBehindTheFileReplacesTheFiles) {
     const test::Workplace here;
     here.write("a.ini", "Input_File_Name=a.pov\nWidth=1\n");
     EXPECT_EQ(translate({"a.ini", "b.pov"}).words, (Words{"--width=1", "b.pov"}));
-    EXPECT_EQ(translate({"a.ini", "-W3", "b.pov", "c.pov"}).words, (Words{"--width=1", "-W3", "b.pov", "c.pov"}));
+    EXPECT_EQ(translate({"a.ini", "-W3", "b.pov", "c.pov"}).words, (Words{"--width=1", "--width=3", "b.pov", "c.pov"}));
     EXPECT_EQ(translate({"b.pov", "a.ini"}).words, (Words{"b.pov", "--input=a.pov", "--width=1"}));
     EXPECT_EQ(translate({"a.ini", "+Ib.pov"}).words, (Words{"--input=a.pov", "--width=1", "--input=b.pov"}));
 }
