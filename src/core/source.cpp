@@ -12,21 +12,6 @@ namespace {
 
 constexpr std::size_t excerpt_width = 160;  // longest piece of a source line that a message shows
 
-/// The bytes of the line that holds `offset`, without its newline.
-struct Line {
-    std::size_t begin;
-    std::size_t end;
-};
-
-Line line_around(std::string_view text, std::size_t offset) {
-    const std::size_t at = std::min(offset, text.size());
-    const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-    const std::size_t after = text.find('\n', at);
-    Line line{before == std::string_view::npos ? 0 : before + 1, after == std::string_view::npos ? text.size() : after};
-    if (line.end > line.begin && text[line.end - 1] == '\r') --line.end;
-    return line;
-}
-
 /// One column a byte: a tab becomes a blank, other control and non-ASCII bytes a '?', so that the caret stands right.
 std::string printable(std::string_view piece) {
     std::string shown(piece);
@@ -64,16 +49,20 @@ LineColumn Sources::locate(std::uint32_t file, std::size_t offset) const {
 
 std::string Sources::describe(const Span& span, std::string_view kind, std::string_view text) const {
     if (span.file >= files_.size()) return fmt::format("{}: {}", kind, text);
-    const SourceFile& file = files_[span.file]->source;
+    const Entry& entry = *files_[span.file];
+    const SourceFile& file = entry.source;
     const std::size_t line_number = locate(span.file, span.begin).line;
     std::string message = fmt::format("File '{}' line {}: {}: {}", one_line(file.name), line_number, kind, text);
 
-    const Line line = line_around(file.text, span.begin);
-    const std::size_t caret = std::min<std::size_t>(span.begin, line.end);
-    const std::size_t caret_end = std::clamp<std::size_t>(span.end, caret + 1, std::max(line.end, caret + 1));
-    std::size_t first = line.begin;
-    if (line.end - line.begin > excerpt_width && caret - line.begin > excerpt_width / 2) first = caret - excerpt_width / 2;
-    const std::size_t last = std::min(line.end, first + excerpt_width);
+    const bool is_last = line_number == entry.line_begins.size();
+    const std::size_t line_begin = entry.line_begins[line_number - 1];
+    std::size_t line_end = is_last ? file.text.size() : entry.line_begins[line_number] - 1;
+    if (line_end > line_begin && file.text[line_end - 1] == '\r') --line_end;
+    const std::size_t caret = std::min<std::size_t>(span.begin, line_end);
+    const std::size_t caret_end = std::clamp<std::size_t>(span.end, caret + 1, std::max(line_end, caret + 1));
+    std::size_t first = line_begin;
+    if (line_end - line_begin > excerpt_width && caret - line_begin > excerpt_width / 2) first = caret - excerpt_width / 2;
+    const std::size_t last = std::min(line_end, first + excerpt_width);
     const std::size_t carets = std::min(caret_end, std::max(last, caret + 1)) - caret;
 
     const std::string number = fmt::format("{:>4}", line_number);
