@@ -57,7 +57,7 @@ struct ParseOptions {
     std::size_t max_macro_depth = 10'000;   ///< of macros that call macros
     std::size_t max_array_elements = 10'000'000;
     /// Of text that loops and macros read again, in bytes; each round counts for 64 more, each
-    /// element of an array that is copied for 16.
+    /// element of an array that is copied for 16, of one of arrays for 128.
     std::size_t max_replayed_bytes = std::size_t{2} << 30;
     std::size_t max_memory_bytes = memory_that_fits();       ///< of the whole process, looked at while a scene is read
     std::size_t max_written_bytes = std::size_t{256} << 20;  ///< by `#write`, which writes into memory

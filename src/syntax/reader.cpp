@@ -155,7 +155,7 @@ std::optional<Value> Reader::accept_any_declared() {
 }
 
 Value Reader::State::copy_of(const Span& place, const Value& value) {
-    if (const auto* array = std::get_if<ArrayValue>(&value)) count_replay(place, 16 * count_elements(*array));
+    if (const auto* array = std::get_if<ArrayValue>(&value)) count_replay(place, (array->depth == 1 ? 16 : 128) * count_elements(*array));
     Value copy = value;
     own_elements(copy);
     return copy;
