@@ -42,5 +42,11 @@ inline Bounds bounds(const FurtherShape& shape) {
 }
 /// Whether all that `contains` holds of is inside the bounds, which are those of the surface.
 inline bool bounds_hold_inside(const FurtherShape& shape) { return !std::holds_alternative<HeightField>(shape); }
+/// Whether what the shape is bounded by is met before it, as of sets; of all other shapes POV-Ray takes nothing but the box.
+inline bool keeps_bounds(const FurtherShape& shape) {
+    if (const auto* quadric = std::get_if<Quadric>(&shape))
+        return max_component(quadric->squares) > 0.0 && max_component(-quadric->squares) > 0.0;
+    return std::holds_alternative<Poly>(shape) || std::holds_alternative<Text>(shape);
+}
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Sets of objects: of which surfaces a scene shows only what lies inside or outside of other bodies.
+// Sets of objects: of which surfaces a scene shows only what lies inside or outside of other bodies, or to rays that meet others.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace rt {
 
-/// A body that cuts without being seen, as `clipped_by` states it.
+/// A body that is not seen, as `clipped_by` and `bounded_by` state it.
 struct Solid {
     Shape shape;
     std::optional<Transform> transform;
@@ -26,6 +26,7 @@ struct SetNode {
         all,      ///< inside of all its parts: intersection, difference; a surface of a part counts inside of all the others
         any,      ///< inside of any of its parts: union
         merged,   ///< the same, and a surface of a part counts outside of all the others: merge
+        bounded,  ///< its first part; a ray sees of it what there is if it meets each of the others, however they stand around it
     };
     Kind kind = Kind::surface;
     /// An `all` of an object, first, and what it is clipped by: its inverse is the inverse of the object, clipped by the same.

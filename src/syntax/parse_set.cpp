@@ -198,7 +198,8 @@ void settle_set(Reader& reader, const Span& place, Draft& draft) {
 
 void warn_of_bound(Reader& reader, const Draft& draft) {
     if (!draft.set || draft.set->bound.nodes.empty()) return;
-    if (!draft.is_set()) reader.warn(reader.peek().span, "Unnecessary bounding object removed.");
+    const auto* further = std::get_if<FurtherShape>(&draft.object.shape);
+    if (!draft.is_set() && !(further && keeps_bounds(*further))) reader.warn(reader.peek().span, "Unnecessary bounding object removed.");
     if (draft.set->kind == Kind::union_) reader.warn(reader.peek().span, "CSG union unnecessarily bounded.");
 }
 

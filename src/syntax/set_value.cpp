@@ -31,7 +31,7 @@ void invert(std::vector<Object>& objects, ObjectSet& set, std::size_t at) {
     const std::size_t end = at + set.nodes[at].size;
     while (at < end) {
         SetNode& node = set.nodes[at];
-        if (node.clips) {
+        if (node.clips || node.kind == NodeKind::bounded) {
             const std::size_t body = at + 1;
             invert(objects, set, body);
             at += node.size;
@@ -100,16 +100,22 @@ void hand_down(const SetValue& set, Parts& parts) {
     if (set.whole.interior) hand_down_interior(set.whole, parts);
 }
 
+/// Puts the set and further bodies under one node.
+void wrap(ObjectSet& set, SetNode with, ObjectSet by) {
+    ObjectSet whole;
+    whole.nodes.reserve(1 + set.nodes.size() + by.nodes.size());
+    with.medium = set.nodes.front().medium;
+    whole.nodes.push_back(with);
+    append(whole, std::move(set), 0, 0);
+    append(whole, std::move(by), 0, 0);
+    whole.nodes.front().size = static_cast<std::uint32_t>(whole.nodes.size());
+    set = std::move(whole);
+}
+
 void clip(ObjectSet& set, ObjectSet by) {
-    ObjectSet clipped;
-    clipped.nodes.reserve(1 + set.nodes.size() + by.nodes.size());
-    clipped.nodes.push_back(node_of(NodeKind::all));
-    clipped.nodes.front().clips = true;
-    clipped.nodes.front().medium = set.nodes.front().medium;
-    append(clipped, std::move(set), 0, 0);
-    append(clipped, std::move(by), 0, 0);
-    clipped.nodes.front().size = static_cast<std::uint32_t>(clipped.nodes.size());
-    set = std::move(clipped);
+    SetNode node = node_of(NodeKind::all);
+    node.clips = true;
+    wrap(set, node, std::move(by));
 }
 
 /// A tree of its own with the nodes from `first` to `end`.
@@ -182,6 +188,8 @@ Parts resolved(ObjectValue value) {
         hand_down(set, set.parts);
     }
     if (!set.clip.nodes.empty()) clip(set.parts.set, std::move(set.clip));
+    // What is linked with a clip says nothing more: a ray meets the clip where it meets what is left of the object.
+    if (!set.bound.nodes.empty() && !set.linked) wrap(set.parts.set, node_of(NodeKind::bounded), std::move(set.bound));
     return std::move(set.parts);
 }
 

@@ -48,7 +48,7 @@ struct SetValue {
     Object whole;         ///< what the parts of a set are given if they lack it; of a clipped shape the shape
     Parts parts;          ///< of a set
     ObjectSet clip;       ///< bodies that clip the whole, one tree after the other
-    ObjectSet bound;      ///< those of `bounded_by`, which mean something only where a clip names them
+    ObjectSet bound;      ///< bodies of `bounded_by`, likewise
     bool linked = false;  ///< one of the two named the other
     bool operator==(const SetValue&) const = default;
 };

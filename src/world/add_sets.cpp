@@ -17,9 +17,17 @@ Object unseen(const Solid& solid) {
     return object;
 }
 
+/// Whether the body is what another one is bounded by.
+bool is_bound(const std::vector<Body>& bodies, std::size_t at) {
+    const std::uint32_t parent = bodies[at].parent;
+    return parent != Body::none && bodies[parent].kind == SetNode::Kind::bounded && at != parent + 1;
+}
+
+bool reaches_out(const Bounds& box, const Bounds& of) { return !contains(of, box.min) || !contains(of, box.max); }
+
 }  // namespace
 
-void Surfaces::add_set(const ObjectSet& set) {
+void Surfaces::add_set(const ObjectSet& set, bool few) {
     const auto first_solid = static_cast<std::uint32_t>(objects.size());
     for (const Solid& solid : set.solids) {
         add(unseen(solid), 0);
@@ -27,12 +35,20 @@ void Surfaces::add_set(const ObjectSet& set) {
     }
     const std::size_t first = bodies.size();
     add_bodies(set, first_solid);
+    add_gates(set, static_cast<std::uint32_t>(first), few);
 
     double extent = 0.0;
+    for (std::size_t i = first; i < bodies.size(); ++i) {
+        if (is_bound(bodies, i))
+            i = bodies[i].end - 1;
+        else if (const Bounds& box = bodies[i].box; box.is_finite())
+            extent = std::fmax(extent, std::fmax(max_abs(box.min), max_abs(box.max)));
+    }
+    LateBody outside{bodies[first].gate, {}};
     for (std::size_t i = first; i < bodies.size(); ++i)
-        if (const Bounds& box = bodies[i].box; box.is_finite()) extent = std::fmax(extent, std::fmax(max_abs(box.min), max_abs(box.max)));
-    for (std::size_t i = first; i < bodies.size(); ++i)
-        if (bodies[i].kind == SetNode::Kind::surface) make_part(static_cast<std::uint32_t>(i), extent);
+        if (bodies[i].kind == SetNode::Kind::surface && make_part(static_cast<std::uint32_t>(i), extent) && !few)
+            outside.objects.push_back(bodies[i].object);
+    if (!outside.objects.empty()) late.push_back(std::move(outside));
 }
 
 MaskRange Surfaces::add_mask(const Mask& mask) {
@@ -75,7 +91,7 @@ void Surfaces::add_bodies(const ObjectSet& set, std::uint32_t first_solid) {
     }
     for (std::size_t i = bodies.size(); i-- > first;) {
         const Body& body = bodies[i];
-        if (body.parent == Body::none) continue;
+        if (body.parent == Body::none || is_bound(bodies, i)) continue;
         Bounds& whole = bodies[body.parent].box;
         const Bounds box = around(static_cast<std::uint32_t>(i));
         if (bodies[body.parent].kind == SetNode::Kind::all)
@@ -92,7 +108,8 @@ Bounds Surfaces::around(std::uint32_t body) const {
     return shape && objects[b.object].inverse ? Bounds::everything() : b.box;
 }
 
-void Surfaces::make_part(std::uint32_t body, double extent) {
+/// A surface that nothing cuts and every ray comes to stays what it is. True if it reaches out of the gate of the whole set.
+bool Surfaces::make_part(std::uint32_t body, double extent) {
     Surface& s = objects[bodies[body].object];
     Part part;
     part.kind = s.kind;
@@ -100,8 +117,16 @@ void Surfaces::make_part(std::uint32_t body, double extent) {
     part.body = body;
     part.extent = extent;
     part.box = shape_bounds(bodies[body].object);
-    for (std::uint32_t whole = bodies[body].parent; whole != Body::none; whole = bodies[whole].parent)
+    for (std::uint32_t whole = bodies[body].parent; whole != Body::none; whole = bodies[whole].parent) {
         part.box = common(part.box, bodies[whole].box);
+        part.cut |= bodies[whole].kind == SetNode::Kind::all || bodies[whole].kind == SetNode::Kind::merged;
+    }
+    bool outside = false;
+    for (std::uint32_t whole = bodies[body].parent; whole != Body::none && !part.box.is_empty(); whole = bodies[whole].parent) {
+        outside = reaches_out(part.box, bodies[whole].gate);
+        part.gated |= outside || (bodies[whole].bounds_count && !within_bounds(whole, part.box));
+    }
+    if (!part.cut && !part.gated) return false;
     // A hit may lie outside by as much as it may be wrong.
     constexpr double margin = 0x1p-18;
     if (part.box.is_empty()) s.count = 0;
@@ -112,6 +137,7 @@ void Surfaces::make_part(std::uint32_t body, double extent) {
     s.kind = s.is_triangles() ? SurfaceKind::part_triangles : SurfaceKind::part;
     s.part = static_cast<std::uint32_t>(parts.size());
     parts.push_back(part);
+    return outside;
 }
 
 }  // namespace rt

@@ -191,6 +191,15 @@ void add_frame(const Object& object, const Material& material, World& world) {
     world.frames.push_back({shape, object.transform.value_or(Transform{})});
 }
 
+/// Whether POV-Ray asks every object of the scene instead of an index, which it has from three on; lights count, and sets once.
+bool is_small(const Scene& scene) {
+    std::size_t count = scene.lights.size() + scene.objects.size() + scene.sets.size();
+    for (const ObjectSet& set : scene.sets)
+        for (const SetNode& node : set.nodes)
+            if (node.kind == SetNode::Kind::surface) --count;
+    return count < 3;
+}
+
 Surfaces compile_objects(const Scene& scene, const CompileOptions& options, const MessageSink& warn, World& world) {
     Surfaces surfaces;
     reserve(scene, surfaces);
@@ -208,7 +217,8 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
                                  object.span, loose_triangle});
         add_frame(object, materials[material], world);
     }
-    for (const ObjectSet& set : scene.sets) surfaces.add_set(set);
+    const bool few = is_small(scene);
+    for (const ObjectSet& set : scene.sets) surfaces.add_set(set, few);
     add_masks(world, surfaces);
     world.materials = materials.take();
     for (const Material& material : world.materials) {

@@ -46,6 +46,7 @@ bool visit_part(const Surfaces& all, std::uint32_t object, const Ray& ray, const
 bool Surfaces::test_part(std::uint32_t object, Query& query) const {
     const Surface& s = objects[object];
     const Part& part = parts[s.part];
+    if (part.gated && !passes(part.body, query.ray)) return false;
     Interval range = query.range;
     if (query.found) range.max = std::fmin(range.max, std::nextafter(query.best.shape.t, infinity));
     bool better = false;
@@ -64,12 +65,14 @@ bool Surfaces::test_part_face(std::uint32_t face, Query& query) const {
     const std::uint32_t object = face_object[face];
     const Surface& s = objects[object];
     const Hit met{hit, s.first_primitive + (face - s.first), object};
+    if (parts[s.part].gated && !passes(parts[s.part].body, query.ray)) return false;
     const Vec3 n = flat_side(met, normal(met, query.ray.at(hit.t)));
     return counts(parts[s.part], query, hit.t, n) && query.offer(hit, met.primitive, object);
 }
 
 /// Whether the hit at t of a part's surface, whose unit normal points out of it, is the set's.
 bool Surfaces::counts(const Part& part, const Query& query, double t, const Vec3& normal) const {
+    if (!part.cut) return true;
     double aside = 0.0;
     return bounds_set(part, query.ray, t, normal, aside) && (part.sheet || stands_for_itself(part.body, query, t, aside));
 }
@@ -100,7 +103,7 @@ bool Surfaces::is_touch(std::uint32_t object, const Ray& ray, double t, double a
 bool Surfaces::fits(std::uint32_t body, const Vec3& inner, const Vec3& outer) const {
     for (std::uint32_t whole = bodies[body].parent; whole != Body::none; body = whole, whole = bodies[whole].parent) {
         const SetNode::Kind kind = bodies[whole].kind;
-        if (kind == SetNode::Kind::any) continue;
+        if (kind == SetNode::Kind::any || kind == SetNode::Kind::bounded) continue;
         const bool all = kind == SetNode::Kind::all;
         for (std::uint32_t other = whole + 1; other < bodies[whole].end; other = bodies[other].end)
             if (other != body && holds(other, all ? inner : outer) != all) return false;
@@ -115,7 +118,7 @@ bool Surfaces::stands_for_itself(std::uint32_t body, const Query& query, double 
     const Interval near{t - std::fabs(aside), t + std::fabs(aside)};
     for (std::uint32_t whole = bodies[body].parent; whole != Body::none; body = whole, whole = bodies[whole].parent) {
         const SetNode::Kind kind = bodies[whole].kind;
-        if (kind == SetNode::Kind::any) continue;
+        if (kind == SetNode::Kind::any || kind == SetNode::Kind::bounded) continue;
         const bool all = kind == SetNode::Kind::all;
         for (std::uint32_t before = whole + 1; before < body; before = bodies[before].end)
             if (holds(before, all ? outer : inner) != all && has_boundary(before, query, near)) return false;
@@ -129,6 +132,7 @@ bool Surfaces::has_boundary(std::uint32_t body, const Query& query, const Interv
         const std::uint32_t object = bodies[at].object;
         if (bodies[at].kind != SetNode::Kind::surface || objects[object].is_triangles() || !(objects[object].seen & query.seen)) continue;
         const Part& part = parts[objects[object].part];
+        if (part.gated && !passes(part.body, query.ray)) continue;
         double aside = 0.0;
         if (visit_part(*this, object, query.ray, range,
                        [&](const ShapeHit& hit, const Vec3& normal) { return bounds_set(part, query.ray, hit.t, normal, aside); }))
@@ -144,6 +148,7 @@ bool Surfaces::holds(std::uint32_t body, const Vec3& point) const {
         return rt::contains(b.box, point) ? body_contains(b.object, point) : objects[b.object].inverse;
     }
     if (!rt::contains(b.box, point)) return false;
+    if (b.kind == SetNode::Kind::bounded) return holds(body + 1, point);
     const bool any = b.kind != SetNode::Kind::all;
     for (std::uint32_t part = body + 1; part < b.end; part = bodies[part].end)
         if (holds(part, point) == any) return any;
@@ -162,9 +167,11 @@ bool Surfaces::body_contains(std::uint32_t object, const Vec3& point) const {
 std::uint32_t Surfaces::set_of(std::uint32_t object) const {
     const Surface& s = objects[object];
     if (s.kind != SurfaceKind::part && s.kind != SurfaceKind::part_triangles) return Body::none;
-    std::uint32_t body = parts[s.part].body;
-    while (bodies[body].parent != Body::none) body = bodies[body].parent;
-    return body;
+    // What is only bounded, or in a union, stands for itself.
+    std::uint32_t set = Body::none;
+    for (std::uint32_t body = bodies[parts[s.part].body].parent; body != Body::none; body = bodies[body].parent)
+        if (bodies[body].kind == SetNode::Kind::all || bodies[body].kind == SetNode::Kind::merged) set = body;
+    return set;
 }
 
 }  // namespace rt

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "world/embree_index.h"
+#include "world/local_frame.h"
 
 namespace rt {
 
@@ -95,8 +96,12 @@ bool is_ray(const Ray& ray) {
 SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
     : surfaces_(std::move(surfaces)), exact_(options.precision == Precision::exact) {
     std::vector<std::uint32_t> indexed;
+    std::vector<bool> late(surfaces_.late.empty() ? 0 : surfaces_.objects.size());
+    for (const LateBody& body : surfaces_.late)
+        for (const std::uint32_t object : body.objects) late[object] = true;
     for (std::uint32_t object = 0; object < surfaces_.objects.size(); ++object) {
-        if (surfaces_.objects[object].count == 0 || surfaces_.objects[object].seen == seen_by::masked_light) continue;
+        const Surface& surface = surfaces_.objects[object];
+        if (surface.count == 0 || surface.seen == seen_by::masked_light || (!late.empty() && late[object])) continue;
         const Bounds box = surfaces_.bounds(object);
         const bool fits = options.index != IndexKind::brute_force && box.is_finite() && reach(box, Vec3(0.0)) < largest_indexed;
         (fits ? indexed : listed_).push_back(object);
@@ -122,10 +127,11 @@ bool SurfaceIndex::nearest(const Ray& ray, const Interval& range, RayKind kind, 
     if (!is_ray(ray)) return false;
     Interval inside = range;
     const auto entry = embree_ ? embree_->enter(ray, inside) : EmbreeIndex::Entry::none;
-    if (entry == EmbreeIndex::Entry::none && listed_.empty()) return false;
+    if (entry == EmbreeIndex::Entry::none && listed_.empty() && surfaces_.late.empty()) return false;
     Query query(ray, range, bit(kind));
     ask_listed(query);
     if (entry != EmbreeIndex::Entry::none) embree_->nearest(query, entry, inside);
+    if (!surfaces_.late.empty()) ask_late(query);
     if (query.found) hit = query.best;
     return query.found;
 }
@@ -144,7 +150,7 @@ std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& r
         if (!is_ray(rays[i])) continue;
         inside[count] = range;
         const auto entry = embree_->enter(rays[i], inside[count]);
-        if (entry == EmbreeIndex::Entry::none && listed_.empty()) continue;
+        if (entry == EmbreeIndex::Entry::none && listed_.empty() && surfaces_.late.empty()) continue;
         Query& query = queries[i].emplace(rays[i], range, bit(kind));
         ask_listed(query);
         if (entry == EmbreeIndex::Entry::far) embree_->nearest(query, entry, inside[count]);
@@ -152,6 +158,7 @@ std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& r
     }
     if (count > 0) embree_->nearest(std::span(entering).first(count), inside);
     for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (queries[i] && !surfaces_.late.empty()) ask_late(*queries[i]);
         if (!queries[i] || !queries[i]->found) continue;
         hits[i] = queries[i]->best;
         found |= 1u << i;
@@ -177,7 +184,29 @@ bool SurfaceIndex::occluded(const Ray& ray, const Interval& range, Blocker& last
     for (std::size_t i = 0; i < listed_others_.size() && !met; ++i) met = surfaces_.test(listed_others_[i], query);
     if (!met && entry != EmbreeIndex::Entry::none) met = embree_->occluded(query, entry, inside);
     last = met ? Blocker{query.best.object, query.best.primitive} : Blocker{};
-    return met;
+    return met || (!surfaces_.late.empty() && late_occluded(query));
+}
+
+/// After everything else, nearest gate first.
+void SurfaceIndex::ask_late(Query& query) const {
+    std::vector<std::pair<double, const LateBody*>> entered;
+    for (const LateBody& body : surfaces_.late)
+        if (Interval inside; clip(query.ray, body.gate, inside)) entered.emplace_back(inside.min, &body);
+    std::sort(entered.begin(), entered.end());
+    for (const auto& [distance, body] : entered) {
+        if (query.found && distance >= query.best.shape.t) break;
+        for (const std::uint32_t object : body->objects) surfaces_.test(object, query);
+    }
+}
+
+bool SurfaceIndex::late_occluded(Query& query) const {
+    for (const LateBody& body : surfaces_.late) {
+        Interval inside{0.0, query.range.max};
+        if (!clip(query.ray, body.gate, inside)) continue;
+        for (const std::uint32_t object : body.objects)
+            if (surfaces_.test(object, query)) return true;
+    }
+    return false;
 }
 
 }  // namespace rt

@@ -34,6 +34,9 @@ private:
         for (const std::uint32_t object : listed_others_) surfaces_.test(object, query);
     }
 
+    void ask_late(Query& query) const;
+    bool late_occluded(Query& query) const;
+
     Surfaces surfaces_;
     std::vector<std::uint32_t> listed_;
     // The same once more, as they are asked: beside no index, spheres without a detour over their kind.

@@ -63,6 +63,8 @@ struct Surface {
 struct Part {
     SurfaceKind kind = SurfaceKind::sphere;  ///< of its shape
     bool sheet = false;
+    bool cut = false;        ///< only what fits counts; else all of it does
+    bool gated = false;      ///< not every ray that meets it passes what stands around it
     std::uint32_t body = 0;  ///< index into `bodies`
     double extent = 0.0;     ///< largest absolute coordinate of the set's bounded bodies
     double size = infinity;  ///< longest side of the box
@@ -78,6 +80,16 @@ struct Body {
     std::uint32_t object = 0;  ///< of a shape
     std::uint32_t medium = 0;  ///< `SetNode::medium`
     Bounds box;                ///< around it; of an inverse shape around what is not it
+    /// A ray that misses this box misses the body, however far the body reaches: POV-Ray's box around it.
+    Bounds gate = Bounds::everything();
+    bool bounds_count = false;  ///< of a bounded one: a ray has to meet its bounds themselves, too
+};
+
+/// Objects of a set that reach out of its gate. POV-Ray asks bodies in the order in which a ray enters their boxes, and none whose box
+/// begins behind the nearest hit: what lies before its box is seen only where nothing else is met before that.
+struct LateBody {
+    Bounds gate;
+    std::vector<std::uint32_t> objects;
 };
 
 /// A ray's question with the best answer so far; the ray and range outlive it. Equal distances go to the smaller primitive, so the order of
@@ -141,11 +153,12 @@ struct Surfaces {
     std::vector<Placed<FurtherShape>> further;
     std::vector<Part> parts;
     std::vector<Body> bodies;
+    std::vector<LateBody> late;
 
     /// Adds one object; `seen` are the bits of `seen_by`. Throws LimitError beyond 2^32 - 1 primitives.
     void add(const Object& object, std::uint8_t seen);
-    /// Makes parts of the set's objects, after all objects were added.
-    void add_set(const ObjectSet& set);
+    /// Makes parts of the set's objects, after all objects were added. `few`: POV-Ray asks every object of such a scene.
+    void add_set(const ObjectSet& set, bool few = false);
     /// Adds what a light is projected through, after all sets.
     MaskRange add_mask(const Mask& mask);
 
@@ -190,7 +203,14 @@ private:
     void add_mesh(const Transform& to_world, const MeshData& mesh, Surface& s);
     void add_shape(const Object& object, const Transform& to_world, Surface& s);
     void add_bodies(const ObjectSet& set, std::uint32_t first_solid);
-    void make_part(std::uint32_t body, double extent);
+    bool make_part(std::uint32_t body, double extent);
+    void add_gates(const ObjectSet& set, std::uint32_t root, bool few);
+    Bounds shape_gate(std::uint32_t object) const;
+    Bounds gate_of(std::uint32_t body) const;
+    bool within_bounds(std::uint32_t bounded, const Bounds& box) const;
+    bool within(std::uint32_t body, const Vec3& corner) const;
+    bool passes(std::uint32_t body, const Ray& ray) const;
+    bool meets(std::uint32_t body, const Ray& ray) const;
     Bounds around(std::uint32_t body) const;
     Bounds shape_bounds(std::uint32_t object) const;
     bool holds_its_inside(std::uint32_t object) const;

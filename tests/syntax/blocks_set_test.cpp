@@ -184,14 +184,30 @@ TEST(Sets, CutawayTextures) {
               "'cutaway_textures that cut several textures' is not modelled.");
 }
 
-TEST(Sets, BoundsChangeNothing) {
-    EXPECT_THAT(scene_of("difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 1 } } }").sets.at(0).solids, IsEmpty());
+TEST(Sets, BoundsStandAroundTheWhole) {
+    const ObjectSet bounded = scene_of("difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 1 } } }").sets.at(0);
+    EXPECT_EQ(kinds(bounded), (std::vector<Kind>{Kind::bounded, Kind::all, Kind::surface, Kind::surface, Kind::solid}));
+    EXPECT_EQ(kinds(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } }").scene.sets.at(0)),
+              (std::vector<Kind>{Kind::bounded, Kind::surface, Kind::solid}));
+    EXPECT_EQ(kinds(parse_block("union { sphere { 0, 1 } box { 0, 1 } bounded_by { box { -1, 1 } } }").scene.sets.at(0)),
+              (std::vector<Kind>{Kind::bounded, Kind::any, Kind::surface, Kind::surface, Kind::solid}));
+    // An inverted object is bounded by the same; what a clip has named says nothing more.
+    const Scene inverted = parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } inverse }").scene;
+    EXPECT_TRUE(inverted.objects.at(0).inverse);
+    EXPECT_FALSE(inverted.sets.at(0).solids.at(0).inverse);
     EXPECT_EQ(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }").scene.sets.at(0).solids.size(), 1u);
     EXPECT_THAT(scene_of("sphere { 0, 1 clipped_by { bounded_by } }").sets, IsEmpty());
+}
+
+TEST(Sets, WarningsAboutBounds) {
     EXPECT_THAT(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } }").messages,
                 ElementsAre(HasSubstr("Parse Warning: Unnecessary bounding object removed.")));
     EXPECT_THAT(parse_block("union { sphere { 0, 1 } box { 0, 1 } bounded_by { box { -1, 1 } } }").messages,
                 ElementsAre(HasSubstr("Parse Warning: CSG union unnecessarily bounded.")));
+    // What has no box needs its bounds.
+    for (const char* shape : {"quadric { <1,1,-1>, 0, 0, -1", "cubic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,-1>"})
+        EXPECT_THAT(parse_block(std::string(shape) + " bounded_by { box { -1, 1 } } }").messages, IsEmpty()) << shape;
+    EXPECT_EQ(parse_block("quadric { <1,0,1>, 0, 0, -1 bounded_by { box { -1, 1 } } }").messages.size(), 1u);
 }
 
 TEST(Sets, ThatLackPartsAreNothingOrLess) {
