@@ -1,4 +1,4 @@
-// Indexed triangle mesh: what both `mesh` and `mesh2` become. The world spreads a mesh into triangles, so it has no ray test of its own.
+// Indexed triangle mesh: what `mesh`, `mesh2` and `bicubic_patch` become. The world spreads a mesh into triangles, so it has no ray test of its own.
 #pragma once
 
 #include <array>
@@ -12,6 +12,14 @@
 #include "geometry/texture_weight.h"
 
 namespace rt {
+
+/// Points of a surface: sum of b_i(u) b_j(v) points[i][j] over Bernstein's polynomials, u and v in [0, 1].
+struct BezierPatch {
+    std::array<std::array<Vec3, 4>, 4> points{};
+    int u_steps = 0, v_steps = 0;  ///< times that it is halved along u and v, at most
+    double flatness = 0.0;         ///< pieces whose points are nearer than this to a plane are not halved
+    bool operator==(const BezierPatch&) const = default;
+};
 
 struct MeshData {
     using Face = std::array<std::uint32_t, 3>;
@@ -38,6 +46,7 @@ struct FaceTextures {
 struct Mesh {
     Shared<MeshData> data;
     std::optional<Shared<FaceTextures>> textures = std::nullopt;  ///< unset: all faces show the texture of the object
+    std::optional<Shared<BezierPatch>> patch = {};  ///< what it was made of, if that has to be done again at its place
     bool operator==(const Mesh&) const = default;
 };
 

@@ -12,6 +12,9 @@ struct Triangle {
     bool operator==(const Triangle&) const = default;
 };
 
+/// Whether three corners span no plane: POV-Ray's test.
+inline bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return !(length(cross(b - a, c - a)) > 0.0); }
+
 struct SmoothTriangle {
     Vec3 a{0.0}, b{0.0}, c{0.0};
     Vec3 normal_a{0.0}, normal_b{0.0}, normal_c{0.0};  ///< unit

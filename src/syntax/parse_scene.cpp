@@ -4,6 +4,7 @@
 #include <cstring>
 #include <iterator>
 
+#include "geometry/bezier_patch.h"
 #include "syntax/blocks.h"
 #include "syntax/choices.h"
 #include "syntax/set_value.h"
@@ -95,7 +96,16 @@ void make_room(Reader& reader) {
     scene.objects.reserve(std::clamp(expected, 2 * size, 64 * size));
 }
 
+/// A patch is halved until it is flat where it stands.
+void refine(Object& object) {
+    auto* mesh = std::get_if<Mesh>(&object.shape);
+    if (!mesh || !mesh->patch || !object.transform) return;
+    mesh->data = triangles_of(**mesh->patch, *object.transform);
+    mesh->patch.reset();
+}
+
 void place_object(Reader& reader, Object object) {
+    refine(object);
     if (!object.texture) object.texture = reader.default_texture();
     take_only_texture(object);
     count_texture(reader, object.span, *object.texture);

@@ -181,6 +181,4 @@ const ShapeSyntax* find_shape(Word w) {
     return found == shapes.end() ? nullptr : &*found;
 }
 
-bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return !(length(cross(b - a, c - a)) > 0.0); }
-
 }  // namespace rt

@@ -43,7 +43,4 @@ ParsedShape parse_bicubic_patch(Reader& reader);
 ParsedShape parse_height_field(Reader& reader);
 ParsedShape parse_sphere_sweep(Reader& reader);
 
-/// Three corners span no plane: POV-Ray's test.
-bool is_degenerate_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
-
 }  // namespace rt

@@ -139,7 +139,7 @@ constexpr const char* sixteen =
 TEST(BicubicPatches, BecomeMeshes) {
     const Mesh one = only_shape<Mesh>(std::string("bicubic_patch { type 0 ") + sixteen + " }");
     EXPECT_EQ(one.data->faces.size(), 2u);
-    EXPECT_EQ(one.data->vertices[3], Vec3(3, 3, 0));
+    EXPECT_EQ(one.data->vertices[2], Vec3(3, 3, 0));
     EXPECT_NEAR(std::fabs(one.data->normals[0].z), 1.0, 1e-15);
     EXPECT_EQ(only_shape<Mesh>(std::string("bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 3 ") + sixteen + " }").data->faces.size(),
               64u);
@@ -147,6 +147,22 @@ TEST(BicubicPatches, BecomeMeshes) {
     EXPECT_EQ(error_of(std::string("bicubic_patch { ") + sixteen + " }"), "Undefined bicubic patch type.");
     EXPECT_EQ(error_of("bicubic_patch { type 0 <0,0,0>,<1,0,0> }"), "Expected 'numeric expression', } found instead");
     EXPECT_THAT(parse_block("bicubic_patch { type 0 0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,0 }").scene.objects, IsEmpty());
+}
+
+/// Pieces are halved until they are flat, which depends on how large the patch is in the end. Numbers of POV-Ray's triangles.
+TEST(BicubicPatches, AreAsFineAsTheyHaveToBe) {
+    const auto faces = [](const std::string& flatness, const std::string& moved) {
+        const std::string patch = "bicubic_patch { type 1 u_steps 3 v_steps 3 flatness " + flatness +
+                                  "<0,0,2>,<1,0,0>,<2,0,0>,<3,0,-2>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,2>"
+                                  ",<1,3,0>,<2,3,0>,<3,3,-2> ";
+        return only_shape<Mesh>(patch + moved + " }").data->faces.size();
+    };
+    EXPECT_EQ(faces("0", ""), 128u);
+    EXPECT_EQ(faces("0.5", "scale 2"), 80u);
+    EXPECT_EQ(faces("0.8", "scale 2"), 44u);
+    EXPECT_EQ(faces("1", "rotate 30 scale 2"), 32u);
+    EXPECT_EQ(faces("3", "scale 2"), 2u);
+    EXPECT_EQ(faces("2.5", "scale 20"), 128u);
 }
 
 TEST(Texts, Errors) {
