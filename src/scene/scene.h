@@ -76,6 +76,7 @@ struct Light {
     Type type = Type::point;
     bool parallel = false;
     bool shadowless = false;
+    bool media_attenuation = false;  ///< fog dims it
     Vec3 location{0.0};
     Rgb color{0.0};
     Vec3 point_at{0.0, 0.0, 1.0};

@@ -99,6 +99,8 @@ bool accept_general_item(Reader& reader, Light& light) {
         light.shadowless = true;
     } else if (reader.accept(Word::fade_distance)) {
         light.fade_distance = reader.parse_float();
+    } else if (reader.accept(Word::media_attenuation)) {
+        light.media_attenuation = reader.parse_bool_or(true);
     } else if (reader.accept(Word::fade_power)) {
         light.fade_power = reader.parse_float();
     } else {
@@ -109,7 +111,7 @@ bool accept_general_item(Reader& reader, Light& light) {
 
 /// Keywords about media and photons say nothing where there are none: both are reported where they are asked for.
 bool accept_unmodelled_item(Reader& reader) {
-    if (reader.accept(Word::media_interaction) || reader.accept(Word::media_attenuation)) {
+    if (reader.accept(Word::media_interaction)) {
         reader.parse_bool_or(true);
     } else if (reader.accept(Word::photons)) {
         skip_inner_block(reader);

@@ -1,5 +1,7 @@
 #include "trace/atmosphere.h"
 
+#include <algorithm>
+
 #include "shading/povray_finish.h"
 
 namespace rt {
@@ -48,9 +50,17 @@ Atmosphere::Atmosphere(const World& world) : world_(world) {
     }
 }
 
+/// Bodies that are not hollow keep the fog out.
+bool Atmosphere::is_open(std::span<const std::uint32_t> inside) const {
+    return std::all_of(inside.begin(), inside.end(), [&](std::uint32_t interior) { return world_.interiors[interior].hollow; });
+}
+
+Rgb Atmosphere::dimmed(const Ray& ray, double length, std::span<const std::uint32_t> inside) const {
+    return is_open(inside) ? fog(ray, length).left : Rgb(1.0);
+}
+
 Veil Atmosphere::along(const Ray& ray, double length, std::span<const std::uint32_t> inside) const {
-    for (const std::uint32_t interior : inside)
-        if (!world_.interiors[interior].hollow) return {};
+    if (!is_open(inside)) return {};
     const double s = std::fmin(length, length_of_nothing);
     Veil veil = fog(ray, s);
     if (!bows_.empty()) arch(ray, s, veil);

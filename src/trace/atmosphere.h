@@ -23,6 +23,9 @@ public:
     /// On the way along a ray from its origin to `length`, infinite where it meets nothing. `inside`: the interiors that it is in.
     Veil along(const Ray& ray, double length, std::span<const std::uint32_t> inside) const;
 
+    /// What fog leaves of light that comes from a lamp `length` away against the ray.
+    Rgb dimmed(const Ray& ray, double length, std::span<const std::uint32_t> inside) const;
+
     /// Light from a direction that nothing lies in, the background's behind the sky's; `transmittance` receives what is seen of it.
     Rgb sky(const Vec3& direction, double& transmittance) const;
 
@@ -31,6 +34,7 @@ private:
         const Rainbow* stated;
         Vec3 axis, up, right;
     };
+    bool is_open(std::span<const std::uint32_t> inside) const;
     Veil fog(const Ray& ray, double length) const;
     void arch(const Ray& ray, double length, Veil& veil) const;
 

@@ -27,6 +27,7 @@ Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOpti
       tinted_(world.features.transmits && options.shadows == ShadowKind::full),
       opaque_first_(options.distances == Distances::scaled),
       layers_(world, {options.quality.quick_colors, has_caustics(world), options.adc_bailout.value_or(world.adc_bailout)}),
+      atmosphere_(world),
       blockers_(world.lights.size()) {}
 
 [[gnu::noinline]] bool Shadows::comes_through(std::uint32_t light, const SurfacePoint& at, LightRay& ray) const {
@@ -40,18 +41,23 @@ Shadows::Shadows(const World& world, const DistanceRules& rules, const TraceOpti
 Rgb Shadows::transmitted(std::uint32_t light_index, const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside,
                          ShadowAnswer* answer) {
     ++rays;
+    const bool fogged = world_.features.fogged_lights && world_.lights[light_index].media_attenuation;
     Rgb light(1.0);
     if (!tinted_ || opaque_first_) {
         const Interval range = rules_.shadow(ray.distance, at.error);
         if (range.min < range.max && world_.occluded({rules_.leave(at, ray.direction), ray.direction}, range, blockers_[light_index]))
             light = Rgb(0.0);
     }
-    if (tinted_ && light != Rgb(0.0)) light = through_transparent(at, ray, inside, answer);
+    if (tinted_ && light != Rgb(0.0))
+        light = through_transparent(at, ray, fogged, inside, answer);
+    else if (fogged && light != Rgb(0.0))
+        light *= atmosphere_.dimmed({at.point, ray.direction}, ray.distance, inside);
     if (answer != nullptr) answer->transmitted = light;
     return light;
 }
 
-Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer) {
+Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, bool fogged, std::span<const std::uint32_t> inside,
+                                 ShadowAnswer* answer) {
     Rgb light(1.0);
     inside_.assign(inside.begin(), inside.end());
     SurfacePoint from = at;
@@ -60,7 +66,9 @@ Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, st
         const Ray segment{rules_.leave(from, ray.direction), ray.direction};
         const Interval range = rules_.shadow(left, from.error);
         Hit hit;
-        if (!(range.min < range.max) || !world_.nearest(segment, range, RayKind::shadow, hit)) return light;
+        const bool met = range.min < range.max && world_.nearest(segment, range, RayKind::shadow, hit);
+        if (fogged) light *= atmosphere_.dimmed({from.point, ray.direction}, met ? hit.shape.t : left, inside_);
+        if (!met) return light;
         const CompiledObject& object = world_.objects[hit.object];
         if (!world_.materials[object.material].can_transmit) return Rgb(0.0);
         if (answer != nullptr) answer->crossed.push_back(hit.object);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "trace/atmosphere.h"
 #include "trace/distances.h"
 #include "trace/light_source.h"
 #include "trace/ray_log.h"
@@ -30,7 +31,8 @@ public:
     std::uint64_t rays = 0;  ///< cast so far
 
 private:
-    Rgb through_transparent(const SurfacePoint& at, const LightRay& ray, std::span<const std::uint32_t> inside, ShadowAnswer* answer);
+    Rgb through_transparent(const SurfacePoint& at, const LightRay& ray, bool fogged, std::span<const std::uint32_t> inside,
+                            ShadowAnswer* answer);
     Rgb filtered(const Hit& hit, const Vec3& point, const Vec3& direction, const Vec3& normal);
     void fade(std::uint32_t interior, double segment, Rgb& light);
 
@@ -44,6 +46,7 @@ private:
     bool tinted_;        ///< some surfaces let light pass, and are asked how much of it
     bool opaque_first_;  ///< opaque blockers are asked for before the transparent ones are counted
     SurfaceLayers layers_;
+    Atmosphere atmosphere_;
     std::vector<std::uint32_t> inside_;
     std::vector<Cached> samples_;
     std::uint32_t stamp_ = 0;

@@ -252,6 +252,7 @@ World compile(const Scene& scene, const CompileOptions& options, const MessageSi
     world.lights = compile_lights(scene.lights, options.light_samples);
     for (const Light& light : world.lights) world.features.area_lights |= light.area.has_value();
     compile_light_groups(scene, world);
+    for (const Light& light : world.lights) world.features.fogged_lights |= light.media_attenuation && !scene.fogs.empty();
     world.background_transmit = scene.background.transmit;
     world.ambient_light = scene.settings.ambient_light;
     world.max_trace_level = scene.settings.max_trace_level;

@@ -60,6 +60,7 @@ struct Features {
     bool normals = false;  ///< some layer is bumped
     bool area_lights = false;
     bool atmosphere = false;        ///< fog or rainbows
+    bool fogged_lights = false;     ///< ... fog that dims lights
     bool grain = false;             ///< some finish has crand or irid
     bool visibility_flags = false;  ///< some object is no_image or no_reflection
     bool light_groups = false;      ///< not every light shines on every object

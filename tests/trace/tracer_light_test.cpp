@@ -30,6 +30,29 @@ TEST(LightSource, fades_with_distance_up_to_twice_its_colour) {
     EXPECT_RGB_NEAR(floor_light(plain_light, 4), 0.6 * l.color, 1e-12);
 }
 
+/// By what fog leaves of it, outside of bodies that are not hollow.
+TEST(LightSource, media_attenuation_is_that_of_fog) {
+    Light l = point_light({0, 5, 0});
+    const auto seen = [&](bool attenuated, bool hollow) {
+        l.media_attenuation = attenuated;
+        Object ball = object(Sphere{Vec3(0, 3, 0), 1.0}, texture(color(Rgb(1.0), 0.0, 1.0), plain()));
+        ball.hollow = hollow;
+        Scene scene = scene_with({white_floor(), ball}, {l});
+        Fog fog;
+        fog.distance = 10.0;
+        fog.color = color({0.2, 0.4, 0.6}, 0.5);
+        scene.fogs.push_back(fog);
+        Traced t(std::move(scene));
+        return floor_light(t, 0.0);
+    };
+    const Rgb c(0.2, 0.4, 0.6), filter = Rgb(0.5) + 0.5 * c;
+    const auto left = [&](double way) { return std::exp(-way / 10.0) * filter; };
+    const Rgb own = (1.0 - std::exp(-0.05)) * c;
+    EXPECT_RGB_NEAR(seen(false, true), own + left(0.5), 1e-12);
+    EXPECT_RGB_NEAR(seen(true, true), own + left(0.5) * left(2.0) * left(2.0) * left(1.0), 1e-12);
+    EXPECT_RGB_NEAR(seen(true, false), own + left(0.5) * left(2.0) * left(1.0), 1e-12);
+}
+
 double spot_factor(double angle, double radius, double falloff, double tightness) {
     const double a = std::cos(angle), r = std::cos(radians(radius)), f = std::cos(radians(falloff));
     if (a <= 0) return 0;
