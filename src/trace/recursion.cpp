@@ -319,6 +319,15 @@ Rgb Recursion::local_light(const Surface& surface) {
     return light.sum();
 }
 
+/// Factor of the topmost layer's film on light that is totally reflected.
+Rgb Recursion::film_on_total(const Surface& surface) const {
+    if (layers_.size() == surface.first_layer) return Rgb(1.0);
+    const Finish& finish = layers_[surface.first_layer].finish->finish;
+    if (!finish.irid) return Rgb(1.0);
+    const double cos = dot(surface.at.direction, surface.top_normal);
+    return film_factor(*finish.irid, world_, surface.at.point, cos, cos);
+}
+
 /// What lies behind the surface and in its mirrors. True if the path goes on: bent, straight, or totally reflected.
 bool Recursion::pass(const Surface& surface, Path& path, Radiance& result, std::uint32_t& at_node) {
     const bool through = world_.materials[surface.object->material].can_transmit && quality_.transmission && quality_.lighting &&
@@ -338,6 +347,7 @@ bool Recursion::pass(const Surface& surface, Path& path, Radiance& result, std::
         path.straight = false;
         path.transmittance = 0.0;
         path.ray.direction = reflect_bumped(surface.at.direction, surface.top_normal, surface.at.normal);
+        if (world_.features.grain) factor *= film_on_total(surface);
     } else {
         ++counts.refracted;
         cross(interiors_, first_interior_, surface.crossing);

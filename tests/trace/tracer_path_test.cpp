@@ -178,6 +178,24 @@ TEST(Refraction, total_reflection_is_not_filtered_and_replaces_the_mirror) {
     EXPECT_EQ(t.tracer->counts().reflected, 3u);
 }
 
+TEST(Refraction, total_reflection_has_the_colours_of_the_topmost_film) {
+    Interior glass;
+    glass.ior = 1.5;
+    Finish film = plain();
+    film.irid = Irid{.amount = 0.5, .thickness = 0.8};
+    const Texture clear = texture(color(Rgb(1.0), 1.0), plain()), filmed = texture(color(Rgb(1.0), 1.0), film);
+    const auto seen = [&](const std::vector<Texture>& layers) {
+        Traced t(scene_with({object(Box{Vec3(-1.0), Vec3(1.0)}, layers, glass)}, {}, sky));
+        return t.look({-2, -0.5, 0.1}, {1, 1, 0}).rgb;
+    };
+    // The way of the test above; at the top the cosine is the sine of the refracted ray.
+    const double path = 2.0 * pi * 0.8 * 2.0 * (std::sqrt(0.5) / 1.5);
+    const Rgb factor(1.0 + 0.5 * std::cos(path / 0.70), 1.0 + 0.5 * std::cos(path / 0.52), 1.0 + 0.5 * std::cos(path / 0.48));
+    EXPECT_RGB_NEAR(seen({filmed}), factor * sky, 1e-12);
+    EXPECT_RGB_NEAR(seen({clear, filmed}), factor * sky, 1e-12);
+    EXPECT_RGB_NEAR(seen({filmed, clear}), sky, 1e-12);
+}
+
 TEST(Refraction, nested_media_follow_the_list_not_the_normals) {
     // Three overlapping slabs, entered in the order A, B, C and left in the order A, C, B. A is not the last entered: leaving it does not
     // bend.

@@ -5,6 +5,7 @@
 #include "scene/function_source.h"
 #include "tests/scene/checkers.h"
 #include "world/compile_pigment.h"
+#include "world/normal_node.h"
 
 namespace rt {
 namespace {
@@ -42,6 +43,16 @@ TEST(FunctionSources, APatternTellsItsValue) {
     gradient.pattern = make_pattern(PatternKind::gradient);
     gradient.pattern.warps.emplace_back(Transform::scale(Vec3(4.0)));
     EXPECT_NEAR(value(asking(gradient, 0), {1.0, 0.0, 0.0}), 0.25, 1e-12);
+}
+
+/// Cells 1 and 2 of `square` meet at x = 1 above z = 1; as waves the two numbers would be one.
+TEST(CellNormals, StepFromNumberToNumber) {
+    NormalNode node;
+    node.pattern.pattern = make_pattern(PatternKind::square);
+    node.bump.amount = 1.0F;
+    const Vec3 up(0.0, 1.0, 0.0);
+    EXPECT_GT(length(turned(node, up, {1.0, 0.0, 1.5}, {}) - up), 0.5);
+    EXPECT_LT(length(turned(node, up, {1.5, 0.0, 1.5}, {}) - up), 1e-12);
 }
 
 TEST(FunctionSources, WhatIsCalledTwiceIsCompiledOnce) {
