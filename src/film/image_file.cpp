@@ -205,9 +205,15 @@ StoredImage read_image(const std::string& path, std::size_t max_pixels) {
     if (first == EOF) refuse("the file is empty");
     std::ungetc(first, file.get());
     if (first == 0x89) return read_png(file.get(), path, max_pixels);
-    if (first == 'P') return read_pnm(file.get(), path, max_pixels);
+    if (first == 'P') {
+        StoredImage image = read_pnm(file.get(), path, max_pixels);
+        image.kind = StoredImage::Kind::pixmap;
+        return image;
+    }
     Place place{.image = {}, .max_pixels = max_pixels};
     if (first == 'G') place.image.kind = StoredImage::Kind::gif;
+    if (first == 'I' || first == 'M') place.image.kind = StoredImage::Kind::tiff;
+    if (first == '#') place.image.kind = StoredImage::Kind::hdr;
     const RaytraceSink sink{begin_picture, &place};
     const char* const complaint = image_module().read(path.c_str(), &sink);
     if (place.too_large) require_pixels(path, place.image, max_pixels);

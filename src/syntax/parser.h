@@ -27,7 +27,7 @@ struct FrameValues {
 
 /// A picture as its file has it.
 struct PictureFile {
-    enum class Kind { png, gif, other };
+    enum class Kind { png, gif, pixmap, tiff, hdr, other };
     int width = 0, height = 0, channels = 0;  ///< 1..4 channels: grey, grey and alpha, RGB, RGB and alpha
     int max_value = 255;                      ///< of whole numbers; 0: floats, linear light
     std::vector<float> values;                ///< interleaved, row by row from the top

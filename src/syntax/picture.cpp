@@ -16,10 +16,12 @@ public:
     Decoder(const StatedPicture& picture, const Gamma& working)
         : working_(working),
           stated_(picture.gamma || picture.srgb ? picture.gamma : picture.file.gamma),
-          linear_(picture.file.max_value == 0) {}
+          linear_(picture.file.max_value == 0),
+          raw_(!picture.gamma && !picture.srgb &&
+               (picture.file.kind == PictureFile::Kind::pixmap || picture.file.kind == PictureFile::Kind::tiff)) {}
 
     double operator()(double v) const {
-        if (working_.kind == Gamma::Kind::legacy) return v;
+        if (working_.kind == Gamma::Kind::legacy || raw_) return v;
         if (linear_ && !stated_) return encode(v);
         return encode(stated_ ? std::pow(v, *stated_) : decode_srgb(v));
     }
@@ -33,6 +35,7 @@ private:
     Gamma working_;
     std::optional<double> stated_;
     bool linear_;
+    bool raw_;  ///< PPM, PGM and TIFF: POV-Ray takes their numbers as those of the working space
 };
 
 /// PNGs of up to eight bits of grey are kept as bytes, rounded down after decoding: as POV-Ray does.
@@ -43,12 +46,26 @@ float kept_as_byte(double grey) {
     return std::trunc(255.0F * (red_share * q + green_share * q + blue_share * q)) / 255.0F;
 }
 
-/// A texel's channels as red, green, blue and alpha, 0..1 for integers.
+/// Half a unit of the texel's last place: POV-Ray takes the numbers of an HDR, of eight bits beside one exponent, for the lower ends of
+/// what they stand for.
+double half_unit(const float* rgb) {
+    const double largest = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    return largest > 0.0 ? std::ldexp(0.5, exponent - 8) : 0.0;
+}
+
+/// A texel's channels as red, green, blue and alpha, 0..1 for integers. Of a TIFF's sixteen bits the higher eight are left.
 std::array<double, 4> channels_of(const PictureFile& file, std::size_t texel) {
     const auto count = static_cast<std::size_t>(file.channels);
-    const double scale = file.max_value == 0 ? 1.0 : 1.0 / file.max_value;
     const float* v = &file.values[texel * count];
-    const auto at = [&](std::size_t i) { return scale * static_cast<double>(v[i]); };
+    const bool halved = file.kind == PictureFile::Kind::tiff && file.max_value == 65535;
+    const double scale = file.max_value == 0 ? 1.0 : 1.0 / (halved ? 255 : file.max_value);
+    const double more = file.kind == PictureFile::Kind::hdr && count >= 3 ? half_unit(v) : 0.0;
+    const auto at = [&](std::size_t i) {
+        const double number = static_cast<double>(v[i]);
+        return scale * (halved ? std::floor(number / 256.0) : number) + more;
+    };
     if (count < 3) return {at(0), at(0), at(0), count == 2 ? at(1) : 1.0};
     return {at(0), at(1), at(2), count == 4 ? at(3) : 1.0};
 }

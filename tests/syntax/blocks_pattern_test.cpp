@@ -212,6 +212,31 @@ TEST(PictureBlock, ImageMapsHoldLinearColours) {
     EXPECT_EQ(error("png \"none.png\""), "Cannot find image file.");
 }
 
+TEST(PictureBlock, SomeFormatsAreReadInWaysOfTheirOwn) {
+    using Kind = PictureFile::Kind;
+    const auto grey = [](Kind kind, int max_value, float value, const std::string& stated) {
+        ParseOptions options;
+        options.read_picture = [&](const std::string&) {
+            PictureFile picture{1, 1, 3, max_value, {value, 0.5F * value, 0.0F}, {}, kind};
+            return std::optional<PictureFile>(picture);
+        };
+        const Scene p =
+            parse_text({"t.pov", "#version 3.7; global_settings { assumed_gamma 2 } sphere { 0, 1 pigment { image_map { sys \"a\" " +
+                                     stated + " } } }"},
+                       options, [](std::string_view) {});
+        return std::get<Shared<ImageMap>>(pattern_of(layer(p.objects.at(0)).pigment).map)->image->texels.at(0)[0];
+    };
+    for (const Kind kind : {Kind::pixmap, Kind::tiff}) {
+        EXPECT_FLOAT_EQ(grey(kind, 255, 51.0F, ""), 0.2F) << "in the working space already";
+        EXPECT_FLOAT_EQ(grey(kind, 255, 51.0F, "gamma 4"), 0.04F);
+        EXPECT_GT(grey(kind, 255, 51.0F, "gamma srgb"), 0.18F);
+        EXPECT_LT(grey(kind, 255, 51.0F, "gamma srgb"), 0.19F);
+    }
+    EXPECT_FLOAT_EQ(grey(Kind::tiff, 65535, 13311.0F, ""), 0.2F) << "eight of sixteen bits";
+    EXPECT_FLOAT_EQ(grey(Kind::pixmap, 65535, 13107.0F, ""), 0.2F);
+    EXPECT_FLOAT_EQ(grey(Kind::hdr, 0, 0.5F, ""), std::sqrt(0.5F + 0x1p-9F)) << "half a unit of the last place";
+}
+
 TEST(PictureBlock, BeforeVersion37NumbersOfUnknownGammaStayAsTheyAre) {
     const auto grey = [](const std::string& version, std::optional<double> of_file, const std::string& stated) {
         ParseOptions options;
