@@ -33,6 +33,7 @@ void invert(std::vector<Object>& objects, ObjectSet& set, std::size_t at) {
         SetNode& node = set.nodes[at];
         if (node.clips || node.kind == NodeKind::bounded) {
             const std::size_t body = at + 1;
+            if (node.kind == NodeKind::bounded) node.index ^= 1u;
             invert(objects, set, body);
             at += node.size;
             continue;

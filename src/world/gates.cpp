@@ -77,6 +77,7 @@ Bounds Surfaces::gate_of(std::uint32_t body) const {
         else
             gate.extend(bodies[part].gate);
     }
+    if (b.inverse) return Bounds::everything();
     return b.kind == SetNode::Kind::bounded && volume(others) < volume(gate) ? others : gate;
 }
 

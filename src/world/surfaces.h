@@ -79,6 +79,7 @@ struct Body {
     std::uint32_t end = 0;     ///< one past its parts
     std::uint32_t object = 0;  ///< of a shape
     std::uint32_t medium = 0;  ///< `SetNode::medium`
+    bool inverse = false;      ///< of a bounded one that was turned inside out: its bounds are around what is not it
     Bounds box;                ///< around it; of an inverse shape around what is not it
     /// A ray that misses this box misses the body, however far the body reaches: POV-Ray's box around it.
     Bounds gate = Bounds::everything();

@@ -194,6 +194,7 @@ TEST(Sets, BoundsStandAroundTheWhole) {
     // An inverted object is bounded by the same; what a clip has named says nothing more.
     const Scene inverted = parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } inverse }").scene;
     EXPECT_TRUE(inverted.objects.at(0).inverse);
+    EXPECT_EQ(inverted.sets.at(0).nodes.at(0).index, 1u);
     EXPECT_FALSE(inverted.sets.at(0).solids.at(0).inverse);
     EXPECT_EQ(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }").scene.sets.at(0).solids.size(), 1u);
     EXPECT_THAT(scene_of("sphere { 0, 1 clipped_by { bounded_by } }").sets, IsEmpty());

@@ -148,6 +148,27 @@ TEST(Gates, PartsHaveBoundsOfTheirOwn) {
     EXPECT_GT(first_hit(world, 0.0, 1.2), 0.0);
 }
 
+/// Of a body that is cut out the bounds take away what they do not meet, but nothing of what it is cut out of.
+TEST(Gates, BoundsOfWhatIsCutOutAreNoBoxOfTheWhole) {
+    Scene scene;
+    scene.objects.push_back(body(ball()));
+    scene.objects.front().inverse = true;
+    scene.objects.push_back(body(Box{Vec3(-2, -2, 0), Vec3(2)}));
+    bound(scene, Sphere{Vec3(0.5, 0, 0), 0.6});
+    std::vector<SetNode>& nodes = scene.sets.front().nodes;
+    nodes.front().index = 1;
+    SetNode difference;
+    difference.kind = Kind::all;
+    difference.size = 5;
+    nodes.insert(nodes.begin(), difference);
+    nodes.emplace_back().index = 1;
+    add_others(scene);
+    const World world = compiled(scene);
+    EXPECT_EQ(first_hit(world, 1.5, 0.0), 5.0);
+    EXPECT_NEAR(first_hit(world, 0.5, 0.0), 5.0 + std::sqrt(0.75), 1e-9);
+    EXPECT_EQ(first_hit(world, -0.5, 0.0), 7.0) << "the hole is there, its surface is not seen";
+}
+
 TEST(Gates, BoundsThatHoldAllOfAnObjectMakeNoPartOfIt) {
     Scene scene;
     scene.objects.push_back(body(Sphere{Vec3(0.0), 1.0}));

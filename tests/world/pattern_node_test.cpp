@@ -52,7 +52,7 @@ TEST(CellNormals, StepFromNumberToNumber) {
     node.bump.amount = 1.0F;
     const Vec3 up(0.0, 1.0, 0.0);
     EXPECT_GT(length(turned(node, up, {1.0, 0.0, 1.5}, {}) - up), 0.5);
-    EXPECT_LT(length(turned(node, up, {1.5, 0.0, 1.5}, {}) - up), 1e-12);
+    EXPECT_LT(length(turned(node, up, {1.5, 0.0, 1.5}, {}) - up), 1e-7);
 }
 
 TEST(FunctionSources, WhatIsCalledTwiceIsCompiledOnce) {
