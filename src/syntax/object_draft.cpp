@@ -60,10 +60,8 @@ void settle(Reader& reader, Draft& draft, bool always) {
     } else if (reader.accept(Word::hollow)) {
         object.hollow = reader.parse_bool_or(true);
     } else if (reader.accept(Word::inverse)) {
-        if (draft.is_set())
-            invert(*draft.set);
-        else
-            object.inverse = !object.inverse;
+        object.inverse = !object.inverse;
+        if (draft.is_set()) invert(*draft.set);
     } else if (reader.accept(Word::no_radiosity)) {
         reader.parse_bool_or(true);  // says nothing without radiosity, which is reported where it is asked for
     } else {

@@ -182,6 +182,8 @@ Parts resolved(ObjectValue value) {
         return parts;
     }
     SetValue set = std::move(value.set->edit());
+    SetNode bounded = node_of(NodeKind::bounded);
+    bounded.index = set.whole.inverse ? 1 : 0;
     if (set.kind == SetValue::Kind::clipped_shape) {
         set.parts.objects.push_back(std::move(set.whole));
         set.parts.set.nodes.push_back({});
@@ -190,7 +192,7 @@ Parts resolved(ObjectValue value) {
     }
     if (!set.clip.nodes.empty()) clip(set.parts.set, std::move(set.clip));
     // What is linked with a clip says nothing more: a ray meets the clip where it meets what is left of the object.
-    if (!set.bound.nodes.empty() && !set.linked) wrap(set.parts.set, node_of(NodeKind::bounded), std::move(set.bound));
+    if (!set.bound.nodes.empty() && !set.linked) wrap(set.parts.set, bounded, std::move(set.bound));
     return std::move(set.parts);
 }
 

@@ -23,6 +23,9 @@ double volume(const Bounds& box) {
     return side.x * side.y * side.z;
 }
 
+/// Of a shape's own box and that of its bounds the one that POV-Ray takes.
+Bounds smaller(const Bounds& own, const Bounds& of_bounds) { return volume(of_bounds) < volume(own) ? of_bounds : own; }
+
 /// Around the square around the disc, which is turned from the plane z = 0 by the shortest way.
 Bounds square_bounds(const Placed<Disc>& placed) {
     const Disc& disc = placed.shape;
@@ -58,27 +61,32 @@ bool is_asked_without_box(const Surface& s, const Surfaces& all) {
 
 Bounds Surfaces::shape_gate(std::uint32_t object) const {
     const Surface& s = objects[object];
-    if (s.inverse) return Bounds::everything();
     return s.kind == SurfaceKind::disc ? square_bounds(discs[s.first]) : shape_bounds(object);
 }
 
 /// From the gates of its parts.
 Bounds Surfaces::gate_of(std::uint32_t body) const {
     const Body& b = bodies[body];
-    if (is_shape(b)) return shape_gate(b.object);
+    if (is_shape(b)) return objects[b.object].inverse ? Bounds::everything() : shape_gate(b.object);
     const std::uint32_t first = body + 1;
     if (first == b.end) return b.box;
-    Bounds gate = bodies[first].gate, others = Bounds::everything();
+    if (b.inverse) return Bounds::everything();
+    if (b.kind == SetNode::Kind::bounded) return smaller(bodies[first].gate, gate_of_bounds(body));
+    Bounds gate = bodies[first].gate;
     for (std::uint32_t part = bodies[first].end; part < b.end; part = bodies[part].end) {
         if (b.kind == SetNode::Kind::all)
             gate = common(gate, bodies[part].gate);
-        else if (b.kind == SetNode::Kind::bounded)
-            others = common(others, bodies[part].gate);
         else
             gate.extend(bodies[part].gate);
     }
-    if (b.inverse) return Bounds::everything();
-    return b.kind == SetNode::Kind::bounded && volume(others) < volume(gate) ? others : gate;
+    return gate;
+}
+
+Bounds Surfaces::gate_of_bounds(std::uint32_t bounded) const {
+    Bounds gate = Bounds::everything();
+    for (std::uint32_t bound = bodies[bounded + 1].end; bound < bodies[bounded].end; bound = bodies[bound].end)
+        gate = common(gate, bodies[bound].gate);
+    return gate;
 }
 
 /// Only the box of the whole is ever asked for, the bounds of every part.
@@ -87,8 +95,9 @@ void Surfaces::add_gates(const ObjectSet& set, std::uint32_t root, bool few) {
         bodies[body].gate = gate_of(body);
         bodies[body].bounds_count = bodies[body].kind == SetNode::Kind::bounded;
     }
-    for (std::size_t part = root + 1; part < bodies.size(); ++part) bodies[part].gate = Bounds::everything();
     Body& whole = bodies[root];
+    if (whole.inverse && is_shape(bodies[root + 1])) whole.gate = smaller(shape_gate(bodies[root + 1].object), gate_of_bounds(root));
+    for (std::size_t part = root + 1; part < bodies.size(); ++part) bodies[part].gate = Bounds::everything();
     if (whole.kind != SetNode::Kind::bounded) return;
     const Body& inner = bodies[root + (set.nodes[1].clips ? 2 : 1)];
     if (!is_shape(inner)) return;

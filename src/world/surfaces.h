@@ -208,6 +208,7 @@ private:
     void add_gates(const ObjectSet& set, std::uint32_t root, bool few);
     Bounds shape_gate(std::uint32_t object) const;
     Bounds gate_of(std::uint32_t body) const;
+    Bounds gate_of_bounds(std::uint32_t bounded) const;
     bool within_bounds(std::uint32_t bounded, const Bounds& box) const;
     bool within(std::uint32_t body, const Vec3& corner) const;
     bool passes(std::uint32_t body, const Ray& ray) const;
