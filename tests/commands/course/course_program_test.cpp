@@ -227,7 +227,7 @@ TEST_F(CourseProgram, WhatItsRulesCannotShowIsRefusedWithItsPlace) {
               begin + "A texture of several layers" + end);
     EXPECT_EQ(error("sphere { 0, 1 texture { pigment { rgb 1 } } interior_texture { pigment { rgb 1 } } }"),
               begin + "'interior_texture'" + end);
-    EXPECT_EQ(error("#declare T = texture { pigment { rgb 1 } } mesh { triangle { 0, x, y texture { T } } }"),
+    EXPECT_EQ(error("#declare T = texture { pigment { rgb 1 } } mesh { triangle { 0, x, y texture { T } } triangle { 0, x, z } }"),
               begin + "A texture of a part of a shape" + end);
 }
 
