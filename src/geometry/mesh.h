@@ -1,4 +1,5 @@
-// Indexed triangle mesh: what `mesh`, `mesh2` and `bicubic_patch` become. The world spreads a mesh into triangles, so it has no ray test of its own.
+// Indexed triangle mesh: what `mesh`, `mesh2` and `bicubic_patch` become. The world spreads a mesh into triangles, so it has no ray test of
+// its own.
 #pragma once
 
 #include <array>
@@ -46,7 +47,7 @@ struct FaceTextures {
 struct Mesh {
     Shared<MeshData> data;
     std::optional<Shared<FaceTextures>> textures = std::nullopt;  ///< unset: all faces show the texture of the object
-    std::optional<Shared<BezierPatch>> patch = {};  ///< what it was made of, if that has to be done again at its place
+    std::optional<Shared<BezierPatch>> patch = {};                ///< what it was made of, if that has to be done again at its place
     bool operator==(const Mesh&) const = default;
 };
 
