@@ -31,8 +31,9 @@ struct SetNode {
     Kind kind = Kind::surface;
     /// An `all` of an object, first, and what it is clipped by: its inverse is the inverse of the object, clipped by the same.
     bool clips = false;
+    bool inverse = false;     ///< of a `bounded` one: turned inside out, which its bounds do not feel
     bool cutaway = false;     ///< an `all` whose parts without a texture have that of the parts that they cut
-    std::uint32_t index = 0;  ///< of the object, counted from the set's first one, or of the solid; `bounded`: 1 if turned inside out
+    std::uint32_t index = 0;  ///< of the object, counted from the set's first one, or of the solid
     std::uint32_t size = 1;   ///< nodes from this one to the end of its parts
     /// `Object::medium` of the interior that is stated of the set as a whole; 0: none is.
     std::uint32_t medium = 0;

@@ -33,7 +33,7 @@ void invert(std::vector<Object>& objects, ObjectSet& set, std::size_t at) {
         SetNode& node = set.nodes[at];
         if (node.clips || node.kind == NodeKind::bounded) {
             const std::size_t body = at + 1;
-            if (node.kind == NodeKind::bounded) node.index ^= 1u;
+            if (node.kind == NodeKind::bounded) node.inverse = !node.inverse;
             invert(objects, set, body);
             at += node.size;
             continue;
@@ -183,7 +183,7 @@ Parts resolved(ObjectValue value) {
     }
     SetValue set = std::move(value.set->edit());
     SetNode bounded = node_of(NodeKind::bounded);
-    bounded.index = set.whole.inverse ? 1 : 0;
+    bounded.inverse = set.whole.inverse;
     if (set.kind == SetValue::Kind::clipped_shape) {
         set.parts.objects.push_back(std::move(set.whole));
         set.parts.set.nodes.push_back({});

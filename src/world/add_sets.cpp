@@ -80,7 +80,7 @@ void Surfaces::add_bodies(const ObjectSet& set, std::uint32_t first_solid) {
         body.parent = open.empty() ? Body::none : open.back();
         body.end = at + node.size;
         body.medium = node.medium;
-        body.inverse = node.kind == SetNode::Kind::bounded && node.index == 1;
+        body.inverse = node.inverse;
         if (node.kind == SetNode::Kind::surface || node.kind == SetNode::Kind::solid) {
             body.object = (node.kind == SetNode::Kind::surface ? set.first_object : first_solid) + node.index;
             body.box = holds_its_inside(body.object) ? shape_bounds(body.object) : Bounds::everything();
