@@ -18,10 +18,10 @@
 #include "commands/base/values.h"
 #include "commands/commands.h"
 #include "commands/job/job_steps.h"
-#include "commands/job/picture_files.h"
 #include "commands/job/render_arguments.h"
 #include "commands/job/requirements.h"
 #include "commands/job/requirements_text.h"
+#include "commands/job/scene_answers.h"
 #include "core/source.h"
 #include "grading/descriptor.h"
 #include "grading/workers.h"
@@ -139,9 +139,7 @@ int run_requires(const Words& words) {
         return 0;
     }
     for (std::string& path : default_library_paths()) arguments->parse.library_paths.push_back(std::move(path));
-    arguments->parse.read_picture = [most = arguments->parse.max_picture_pixels](const std::string& path) {
-        return read_picture_file(path, most);
-    };
+    give_answers(arguments->parse);
     bound_memory(arguments->parse.max_memory_bytes / 8 * 9);
     const std::vector<std::string> scenes = all_scenes(arguments->scenes);
     std::vector<SceneReading> readings;

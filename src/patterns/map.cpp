@@ -58,7 +58,7 @@ std::span<const DefaultMapEntry> default_color_map(PatternKind kind) {
 }
 
 std::span<const Rgb> default_cell_colors(PatternKind kind) {
-    const auto count = static_cast<std::size_t>(cell_count(kind));
+    const auto count = static_cast<std::size_t>(list_size(kind));
     switch (kind) {
         case PatternKind::brick:
             return brick_colors;

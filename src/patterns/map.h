@@ -28,7 +28,7 @@ struct DefaultMapEntry {
 
 /// The built-in colour map of a kind, black to white for most; opaque colours.
 std::span<const DefaultMapEntry> default_color_map(PatternKind kind);
-/// The built-in colours of a kind with cells, `cell_count` of them.
+/// The built-in colours of a kind that lists some, `list_size` of them.
 std::span<const Rgb> default_cell_colors(PatternKind kind);
 
 }  // namespace rt

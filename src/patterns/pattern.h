@@ -71,11 +71,14 @@ enum class PatternKind : std::uint8_t {
 std::optional<PatternKind> pattern_kind(std::string_view word);
 std::string_view name(PatternKind kind);
 
-/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic, object): how many colours they list; 0 for all others, whose
+/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic): how many colours they list; 0 for all others, whose
 /// values are looked up in a map.
 int cell_count(PatternKind kind);
 inline bool has_cells(PatternKind kind) { return cell_count(kind) > 0; }
-/// Patterns whose value somebody else computes at `pattern_point`: function, pigment_pattern, object (a cell), average (none).
+/// How many colours stand in a list behind the kind's word: those of its cells; of `object`, what is outside and what is inside, which are
+/// a map from 0 to 1.
+inline int list_size(PatternKind kind) { return kind == PatternKind::object ? 2 : cell_count(kind); }
+/// Patterns whose value somebody else computes at `pattern_point`: function, pigment_pattern, object, average (none).
 bool is_computed_elsewhere(PatternKind kind);
 
 enum class WaveType : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };
@@ -231,8 +234,7 @@ double pattern_value(const Pattern& pattern, const Vec3& p, const PatternSurface
 /// The value of a picture, which is not empty, at a place on it.
 double image_height(const ImageNumbers& image, const Vec2& place);
 
-/// The index of the colour at a pattern point, 0 to cell_count - 1; 0 for `object`, which is computed elsewhere. Frequency, phase and wave
-/// do not act on cells.
+/// The index of the colour at a pattern point, 0 to cell_count - 1. Frequency, phase and wave do not act on cells.
 int raw_cell(const Pattern& pattern, const Vec3& q);
 /// The same from the space around.
 int pattern_cell(const Pattern& pattern, const Vec3& p);

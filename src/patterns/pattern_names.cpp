@@ -109,7 +109,6 @@ int cell_count(PatternKind kind) {
     switch (kind) {
         case K::brick:
         case K::checker:
-        case K::object:
             return 2;
         case K::hexagon:
             return 3;

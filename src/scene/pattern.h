@@ -11,10 +11,11 @@
 
 namespace rt {
 
+struct Bodies;
 struct Pigment;
 
-/// What computes the value of a kind that is computed elsewhere: `pigment_pattern` and `function`.
-using PatternSource = std::variant<std::monostate, Shared<Pigment>, std::shared_ptr<const Function>>;
+/// What computes the value of a kind that is computed elsewhere: `pigment_pattern`, `function` and `object`.
+using PatternSource = std::variant<std::monostate, Shared<Pigment>, std::shared_ptr<const Function>, Shared<Bodies>>;
 
 struct StatedPattern {
     Pattern pattern;

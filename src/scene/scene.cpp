@@ -1,4 +1,4 @@
-#include "scene/scene.h"
+#include "scene/object_probe.h"
 
 namespace rt {
 

@@ -70,11 +70,16 @@ private:
     Number unmodelled_function(Word w, const Span& place);
     Number unmodelled_call();
     Number call();
-    Number function_value(const Function& function, const Span& place);
+    Number function_value(const std::shared_ptr<const Function>& function, const Span& place);
+    Number pigment_color(const PigmentFunction& pigment, const Span& place);
     Number spline_value(const Spline& spline, const Span& place);
     void skip_arguments();
     double next_float();
     Vec3 next_vector();
+
+    // object_functions.cpp
+    std::optional<Number> function_of_object(Word w, const Span& place);
+    Number trace(const ObjectProbe& probe);
 
     // strings.cpp
     std::optional<double> function_of_strings(Word w);

@@ -15,14 +15,7 @@ PigmentFunction pigment_function(Reader& reader) {
     return {std::make_shared<const StatedSource>(pigment), size.nodes, size.depth};
 }
 
-std::shared_ptr<const Function> pattern_function(Reader& reader) {
-    const Span place = reader.last_place();
-    reader.begin_block("pattern");
-    StatedPattern stated;
-    if (!accept_pattern(reader, stated, PatternUse::pigment)) reader.fail_expected("pattern");
-    while (accept_pattern_modifier(reader, stated, PatternUse::pigment)) {
-    }
-    reader.end_block();
+std::shared_ptr<const Function> function_of_pattern(Reader& reader, const Span& place, StatedPattern stated) {
     Function function;
     function.parameters = 3;
     for (std::uint32_t i = 0; i < 3; ++i) function.steps.push_back({.op = Function::Op::argument, .index = i});
@@ -37,7 +30,25 @@ std::shared_ptr<const Function> pattern_function(Reader& reader) {
     return std::make_shared<const Function>(std::move(function));
 }
 
+std::shared_ptr<const Function> pattern_function(Reader& reader) {
+    const Span place = reader.last_place();
+    reader.begin_block("pattern");
+    StatedPattern stated;
+    if (!accept_pattern(reader, stated, PatternUse::pigment)) reader.fail_expected("pattern");
+    end_list(reader, stated.pattern.kind);
+    while (accept_pattern_modifier(reader, stated, PatternUse::pigment)) {
+    }
+    reader.end_block();
+    return function_of_pattern(reader, place, std::move(stated));
+}
+
 }  // namespace
+
+std::shared_ptr<const Function> noise_function(Reader& reader, const Span& place) {
+    StatedPattern noise;
+    noise.pattern = make_pattern(PatternKind::bozo);
+    return function_of_pattern(reader, place, std::move(noise));
+}
 
 FunctionValue function_of_source(Reader& reader, Word word) {
     if (word == Word::pigment) return pigment_function(reader);

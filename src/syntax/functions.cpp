@@ -64,6 +64,8 @@ Number Expression::word(Word w) {
         result = vector(*v);
     else if (w == Word::dimensions || w == Word::dimension_size)
         result = number(array_function(w));
+    else if (const auto about = function_of_object(w, place))
+        result = *about;
     else
         return unmodelled_function(w, place);
     reader_.expect(')');
@@ -338,17 +340,11 @@ Number Expression::unmodelled_call() {
     return number(0.0);
 }
 
-/// Functions of objects and noise; their '(' is taken.
+/// Functions of noise, and of objects where nobody answers for them; their '(' is taken.
 Number Expression::unmodelled_function(Word w, const Span& place) {
-    const Token& argument = reader_.peek();
-    const bool is_name = argument.kind == Token::Kind::identifier;
-    const Value* const value = is_name ? reader_.next_value() : nullptr;
-    if (w == Word::inside || w == Word::trace || w == Word::min_extent || w == Word::max_extent)
-        if (!value || !std::holds_alternative<ObjectValue>(*value)) reader_.fail(argument.span, "Object identifier expected.");
     reader_.unmodelled(place, text(w));
     skip_arguments();
-    const bool is_vector = w == Word::trace || w == Word::min_extent || w == Word::max_extent || w == Word::vturbulence;
-    return is_vector ? vector(Vec3(0.0)) : number(0.0);
+    return w == Word::vturbulence || w == Word::trace ? vector(Vec3(0.0)) : number(0.0);
 }
 
 /// Takes everything up to the ')' that belongs to a '(' that was taken.

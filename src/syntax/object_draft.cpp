@@ -115,6 +115,24 @@ void parse_modifiers(Reader& reader, Draft& draft, const ShapeSyntax* shape) {
         reader.fail(reader.peek().span, "Interior texture requires an exterior texture.");
 }
 
+/// With what clips and bounds it: the smaller box counts.
+std::optional<Extent> cut_extent(const Draft& draft) {
+    const SetValue& set = *draft.set;
+    std::optional<Extent> kept = draft.extent;
+    const Object& object = draft.object;
+    const auto cut = [&](const ObjectSet& bodies, bool clips) {
+        if (bodies.nodes.empty()) return;
+        const Extent own = kept ? *kept : extent_of(object.shape, object.transform);
+        const Bounds box = box_around(bodies);
+        const bool open = clips && !draft.is_set() && !own.is_finite();
+        const Extent less = smaller(own, open ? clipped_extent(object.shape, object.transform, box) : extent_around(box));
+        if (less != own) kept = less;
+    };
+    cut(set.clip, true);
+    cut(set.bound, false);
+    return kept;
+}
+
 }  // namespace
 
 void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
@@ -126,6 +144,7 @@ void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
         append(draft.set_motion, t);
         require_finite(reader, place, *draft.set_motion);
     }
+    if (draft.extent) draft.extent = moved(*draft.extent, t);
     if (draft.object.uv_mapping) return;  // its surface takes its coordinates along
     if (draft.object.texture) append(draft.texture_motion, t);
     if (draft.object.interior_texture) append(draft.interior_texture_motion, t);
@@ -137,6 +156,7 @@ ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const Sh
     reader.end_block();
     ObjectValue value;
     if (!draft->exists) return value;
+    value.extent = draft->set ? cut_extent(*draft) : draft->extent;
     if (draft->set) {
         draft->set->whole = std::move(draft->object);
         value.set = std::move(*draft->set);
@@ -149,6 +169,7 @@ ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const Sh
 std::unique_ptr<Draft> draft_of(ObjectValue value) {
     auto draft = std::make_unique<Draft>();
     draft->exists = value.exists();
+    draft->extent = value.extent;
     if (value.set) {
         draft->set = std::make_unique<SetValue>(std::move(value.set->edit()));
         draft->object = std::move(draft->set->whole);

@@ -20,6 +20,7 @@ struct Draft {
     std::optional<Transform> shape_texture_motion;
     std::unique_ptr<SetValue> set;  ///< of a set, or a shape that is clipped; its `whole` is not in use
     std::optional<Transform> set_motion;
+    std::optional<Extent> extent;  ///< `ObjectValue::extent`
 
     bool is_set() const { return set && set->kind != SetValue::Kind::clipped_shape; }
 };

@@ -368,6 +368,7 @@ Value Reader::State::parse_built_in(const Span& place) {
     const double number = Expression(*this).sum_float();
     reader.expect(')');
     const int n = number >= 0.0 && number < 1000.0 ? static_cast<int>(number) : -1;
+    if (n == 76) return FunctionValue(noise_function(reader, place));
     Function function;
     function.parameters = built_in_parameters(n);
     if (function.parameters == 0) {

@@ -43,7 +43,7 @@ std::optional<HeightFieldData> parse_samples(Reader& reader) {
     for (int j = rows - 1; j >= 0; --j) {
         for (int i = 0; i < columns; ++i) {
             const double at[] = {static_cast<double>(i) / (columns - 1), static_cast<double>(j) / (rows - 1), 0.0};
-            heights.push_back(sample_of(reader.evaluate(*function, at, place)));
+            heights.push_back(sample_of(reader.evaluate(function, at, place)));
         }
     }
     return HeightFieldData(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), std::move(heights));

@@ -16,11 +16,10 @@ void parse_amount(Reader& reader, Normal& normal) {
     if (reader.at_expression()) normal.bump.amount = static_cast<float>(reader.parse_float());
 }
 
-/// `normal { }` of each cell, or the amount by which the cells' numbers are heights.
+/// `normal { }` of each cell; without them the cells' numbers are heights.
 void parse_cells(Reader& reader, Normal& normal) {
-    if (!reader.peek().is(Word::normal)) return parse_amount(reader, normal);
     NormalMap map;
-    const auto count = static_cast<std::size_t>(cell_count(normal.pattern.pattern.kind));
+    const auto count = static_cast<std::size_t>(list_size(normal.pattern.pattern.kind));
     for (std::size_t i = 0; i < count; ++i) {
         map.values.push_back(static_cast<double>(i));
         map.normals.emplace_back();
@@ -55,17 +54,21 @@ bool parse_content(Reader& reader, Normal& normal) {
         return uv;
     }
     normal.map.reset();
-    if (has_cells(normal.pattern.pattern.kind))
+    const PatternKind kind = normal.pattern.pattern.kind;
+    if (!takes_map(kind) && reader.peek().is(Word::normal)) {
         parse_cells(reader, normal);
-    else
+        end_list(reader, kind);
+    } else {
+        end_list(reader, kind);
         parse_amount(reader, normal);
+    }
     return true;
 }
 
 bool accept_map(Reader& reader, Normal& normal) {
     const Token next = reader.peek();
     if (reader.accept(Word::normal_map)) {
-        if (has_cells(normal.pattern.pattern.kind)) reader.fail(next.span, "Cannot use normal_map with this pattern type.");
+        if (!takes_map(normal.pattern.pattern.kind)) reader.fail(next.span, "Cannot use normal_map with this pattern type.");
         normal.map = parse_normal_map(reader, map_values(normal.pattern.pattern.kind));
     } else if (reader.accept(Word::slope_map)) {
         normal.bump.slopes = *parse_slope_map(reader);

@@ -18,6 +18,7 @@ ObjectValue parse_shape_block(Reader& reader, const ShapeSyntax& shape) {
         draft->exists = parsed.shape.has_value();
         if (parsed.shape) draft->object.shape = std::move(*parsed.shape);
         if (!parsed.textures.empty()) draft->object.shape_textures = std::move(parsed.textures);
+        if (draft->exists && keeps_its_extent(draft->object.shape)) draft->extent = extent_of(draft->object.shape, std::nullopt);
     }
     return finish_object(reader, std::move(draft), &shape);
 }

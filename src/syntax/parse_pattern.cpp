@@ -91,6 +91,8 @@ void parse_numbers(Reader& reader, StatedPattern& stated) {
         stated.source = Shared<Pigment>(parse_pigment(reader, default_pigment(reader)));
     } else if (kind == PatternKind::function) {
         stated.source = reader.parse_pattern_function();
+    } else if (kind == PatternKind::object) {
+        stated.source = Shared<Bodies>(parse_bodies_of_pattern(reader));
     }
 }
 
@@ -194,13 +196,17 @@ void parse_noise_generator(Reader& reader, StatedPattern& stated) {
 
 }  // namespace
 
-bool takes_map(PatternKind kind) { return !has_cells(kind); }
+bool takes_map(PatternKind kind) { return list_size(kind) == 0; }
+
+void end_list(Reader& reader, PatternKind kind) {
+    if (kind == PatternKind::object) reader.end_block();
+}
 
 bool accept_pattern(Reader& reader, StatedPattern& stated, PatternUse use) {
     const Token next = reader.peek();
     if (next.kind != Token::Kind::word) return false;
     const std::optional<PatternKind> kind = pattern_kind(text(next.word));
-    if (!kind || *kind == PatternKind::object) return false;
+    if (!kind) return false;
     if ((*kind == PatternKind::facets || *kind == PatternKind::bump_map) && use != PatternUse::normal)
         reader.fail(next.span, fmt::format("Keyword '{}' can only be used in a normal statement.", text(next.word)));
     if (*kind == PatternKind::bump_map) return false;

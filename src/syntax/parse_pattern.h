@@ -1,7 +1,7 @@
 // What pigments, normals and patterns of textures have in common: the pattern's kind and numbers, its modifiers, its map.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/object_probe.h"
 #include "syntax/blocks.h"
 
 namespace rt {
@@ -17,7 +17,11 @@ Warp parse_warp(Reader& reader);
 /// One of `turbulence`, `octaves`, `omega`, `lambda`.
 bool accept_turbulence_item(Reader& reader, std::optional<Turbulence>& turbulence);
 
-bool takes_map(PatternKind kind);  ///< all but those with cells
+bool takes_map(PatternKind kind);  ///< all but those that list their entries
+/// The object of `object { }` after that word, and what moves it; a list follows inside the braces.
+Bodies parse_bodies_of_pattern(Reader& reader);
+/// The end of such a list: that of `object` ends the braces that the object stands in.
+void end_list(Reader& reader, PatternKind kind);
 
 /// What the numbers of a map's entries are.
 enum class MapValues : std::uint8_t { places, weights };

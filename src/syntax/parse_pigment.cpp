@@ -27,7 +27,7 @@ PatternPigment& edit_pattern(Pigment& pigment) {
 /// Colours or pigments of the cells; what is missing has the kind's own.
 void parse_cells(Reader& reader, PatternPigment& patterned) {
     const PatternKind kind = patterned.pattern.pattern.kind;
-    const auto count = static_cast<std::size_t>(cell_count(kind));
+    const auto count = static_cast<std::size_t>(list_size(kind));
     ColorMap colors;
     for (const Rgb& color : default_cell_colors(kind)) {
         colors.values.push_back(static_cast<double>(colors.values.size()));
@@ -76,7 +76,9 @@ bool parse_content(Reader& reader, Pigment& pigment) {
         edited.map = parse_image_map(reader);
     } else if (accept_pattern(reader, edited.pattern, PatternUse::pigment)) {
         edited.map = {};
-        if (has_cells(edited.pattern.pattern.kind)) parse_cells(reader, edited);
+        const PatternKind kind = edited.pattern.pattern.kind;
+        if (!takes_map(kind)) parse_cells(reader, edited);
+        end_list(reader, kind);
     } else {
         return false;
     }
@@ -93,7 +95,7 @@ bool accept_map(Reader& reader, Pigment& pigment) {
     auto* pattern = std::get_if<Shared<PatternPigment>>(&pigment.content);
     const PatternKind kind = pattern ? (*pattern)->pattern.pattern.kind : PatternKind::bozo;
     const bool image = pattern && std::holds_alternative<Shared<ImageMap>>((*pattern)->map);
-    if (!pattern || image || has_cells(kind) || (colors && kind == PatternKind::average))
+    if (!pattern || image || !takes_map(kind) || (colors && kind == PatternKind::average))
         reader.fail(next.span, fmt::format("Cannot use {} with this pattern type.", colors ? "color_map" : "pigment_map"));
     if (colors)
         pattern->edit().map = parse_color_map(reader);

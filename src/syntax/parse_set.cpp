@@ -7,6 +7,7 @@
 #include "syntax/blocks.h"
 #include "syntax/object_draft.h"
 #include "syntax/parameters.h"
+#include "syntax/parse_pattern.h"
 #include "syntax/set_value.h"
 #include "syntax/texture_layers.h"
 
@@ -89,17 +90,34 @@ bool exists(const Placeable& item) {
     return !object || object->exists();
 }
 
+/// A light has no end.
+void extend(SetExtent& extent, const Placeable& item, bool inverted) {
+    const auto* object = std::get_if<ObjectValue>(&item);
+    if (!object)
+        extent.add(Extent{}, inverted);
+    else if (object->set)
+        extent.add(extent_of(*object), inverted);
+    else
+        extent.add(object->objects.front().shape, object->objects.front().transform, object->extent,
+                   object->objects.front().inverse != inverted);
+}
+
 /// Of an intersection nothing is left where a part is missing, of a difference where the first one is.
 void parse_parts(Reader& reader, Draft& draft) {
+    const Kind kind = draft.set->kind;
+    SetExtent extent(kind == Kind::intersection || kind == Kind::difference);
     int count = 0;
     for (;; ++count) {
         const Span place = reader.peek().span;
         std::optional<Placeable> item = accept_object(reader);
         if (!item) break;
-        if (count == 0 && draft.set->kind == Kind::difference && !exists(*item)) draft.exists = false;
-        add_item(reader, place, *draft.set, std::move(*item), draft.set->kind == Kind::difference && count > 0);
+        if (count == 0 && kind == Kind::difference && !exists(*item)) draft.exists = false;
+        const bool inverted = kind == Kind::difference && count > 0;
+        if (exists(*item)) extend(extent, *item, inverted);
+        add_item(reader, place, *draft.set, std::move(*item), inverted);
     }
     limit_depth(reader, reader.last_place(), draft.set->parts.set);
+    draft.extent = extent.extent();
     if (count < 2) reader.warn(reader.peek().span, "Should have at least 2 objects in csg.");
 }
 
@@ -189,6 +207,20 @@ void add_item(Reader& reader, const Span& place, SetValue& set, Placeable item, 
         std::move(part.lights.begin(), part.lights.end(), std::back_inserter(set.parts.lights));
     else
         add_part(set, std::move(part), inverted);
+}
+
+Bodies parse_bodies_of_pattern(Reader& reader) {
+    reader.begin_block("object");
+    const Span place = reader.peek().span;
+    std::optional<Placeable> item = accept_object(reader);
+    if (!item) reader.fail_expected("object");
+    Parts parts = exists(*item) ? parts_of(std::move(*item)) : Parts{};
+    reader.count_parts(place, parts.objects.size() + parts.set.solids.size());
+    if (const std::optional<Transform> t = accept_transforms(reader)) {
+        for (Object& object : parts.objects) move(reader, place, object.transform, *t);
+        move(reader, place, parts.set, *t);
+    }
+    return bodies_of(std::move(parts));
 }
 
 void settle_set(Reader& reader, const Span& place, Draft& draft) {

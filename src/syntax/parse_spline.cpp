@@ -79,28 +79,51 @@ Number Expression::call() {
         const double x = sum_float(), y = next_float(), z = next_float();
         const Vec3 moved = transform->point({x, y, z});
         result = {{moved.x, moved.y, moved.z}, 3, false};
-    } else if (std::holds_alternative<PigmentFunction>(value)) {
-        reader_.unmodelled(place, "a pigment's colour while reading");
-        skip_arguments();
-        return {{}, 5, false};
+    } else if (const auto* const pigment = std::get_if<PigmentFunction>(&value)) {
+        result = pigment_color(*pigment, place);
     } else {
-        result = function_value(*std::get<std::shared_ptr<const Function>>(value), place);
+        result = function_value(std::get<std::shared_ptr<const Function>>(value), place);
     }
     reader_.expect(')');
     return result;
 }
 
-Number Expression::function_value(const Function& function, const Span& place) {
-    if (function.source_nodes > 0) reader_.unmodelled(place, "a pattern's value while reading");
+Number Expression::function_value(const std::shared_ptr<const Function>& function, const Span& place) {
     std::vector<double> arguments;
-    while (arguments.size() < function.parameters) arguments.push_back(arguments.empty() ? sum_float() : next_float());
+    while (arguments.size() < function->parameters) arguments.push_back(arguments.empty() ? sum_float() : next_float());
     return {{reader_.evaluate(function, arguments, place)}, 1, false};
 }
 
-double Reader::evaluate(const Function& function, std::span<const double> arguments, const Span& place) {
+/// Red, green, blue, filter and transmit of a pigment at (x, y, z).
+Number Expression::pigment_color(const PigmentFunction& pigment, const Span& place) {
+    const double x = sum_float(), y = next_float(), z = next_float();
+    std::shared_ptr<const Function>& asked = state_.answering_pigments[pigment.source];
+    if (!asked) {
+        Function function;
+        function.sources.push_back(pigment.source);
+        function.source_nodes = pigment.nodes;
+        asked = state_.answering_function(std::make_shared<const Function>(std::move(function)), place);
+    }
+    state_.count_replay(place, pigment.nodes);
+    const std::array<double, 6> values = asked->sources.front()->values({x, y, z});
+    return {{values[0], values[1], values[2], values[3], values[4]}, 5, false};
+}
+
+std::shared_ptr<const Function> Reader::State::answering_function(const std::shared_ptr<const Function>& stated, const Span& place) {
+    if (stated->source_nodes == 0) return stated;
+    std::shared_ptr<const Function>& known = answering[stated];
+    if (known) return known;
+    if (!options.compile_function) {
+        reader.unmodelled(place, "a pattern's value while reading");
+        return stated;
+    }
+    return known = options.compile_function(stated, scene);
+}
+
+double Reader::evaluate(const std::shared_ptr<const Function>& function, std::span<const double> arguments, const Span& place) {
     const std::uint64_t most = state_->options.max_replayed_bytes / 8;  // a step takes longer than a byte
     std::uint64_t left = most;
-    const std::optional<double> value = rt::evaluate(function, arguments, left);
+    const std::optional<double> value = rt::evaluate(*state_->answering_function(function, place), arguments, left);
     if (!value) fail_limit(place, fmt::format("A call of a function takes more than {} steps.", most), "reread");
     state_->count_replay(place, most - left);
     return *value;

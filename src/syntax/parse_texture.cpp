@@ -13,7 +13,7 @@ namespace {
 TextureMap parse_cells(Reader& reader, PatternKind kind) {
     const Span place = reader.last_place();
     TextureMap map;
-    for (int i = 0; i < cell_count(kind); ++i) {
+    for (int i = 0; i < list_size(kind); ++i) {
         std::optional<TextureLayers> cell;
         if (reader.accept(Word::texture)) {
             parse_texture(reader, cell);
@@ -33,12 +33,13 @@ bool parse_pattern_texture(Reader& reader, std::optional<TextureLayers>& layers)
     PatternTexture texture;
     if (!accept_pattern(reader, texture.pattern, PatternUse::texture)) return false;
     const PatternKind kind = texture.pattern.pattern.kind;
-    bool has_map = has_cells(kind);
+    bool has_map = !takes_map(kind);
     if (has_map) texture.map = parse_cells(reader, kind);
+    end_list(reader, kind);
     for (;;) {
         const Token next = reader.peek();
         if (reader.accept(Word::texture_map)) {
-            if (has_cells(kind)) reader.fail(next.span, "Cannot use texture_map with this pattern type.");
+            if (!takes_map(kind)) reader.fail(next.span, "Cannot use texture_map with this pattern type.");
             texture.map = parse_texture_map(reader, map_values(kind));
             has_map = true;
         } else if (!accept_pattern_modifier(reader, texture.pattern, PatternUse::texture)) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/object_probe.h"
 
 namespace rt {
 
@@ -74,6 +74,11 @@ struct ParseOptions {
     std::function<std::optional<std::string>(const std::string& path)> read_include;
     /// The picture at a path, empty if there is no such file; throws OptionError for one that cannot be read. Unset: there are none.
     std::function<std::optional<PictureFile>(const std::string& path)> read_picture;
+    /// What answers `trace` and `inside`; unset: they are not modelled.
+    ProbeMaker make_probe;
+    /// The same function with patterns and pigments that can answer, which take what they do not state from the scene so far; unset:
+    /// they are not modelled where a value is wanted while the scene is read.
+    std::function<std::shared_ptr<const Function>(const std::shared_ptr<const Function>& stated, const Scene& scene)> compile_function;
 };
 
 /// Reads `file` (its path is also its name in messages). Throws SceneError with POV-Ray's line, excerpt and caret; LimitError when a

@@ -75,7 +75,7 @@ public:
     /// `function { }` of x, y and z after its word; none where what it is made of is not modelled.
     std::shared_ptr<const Function> parse_pattern_function();
     /// Its value; what it costs counts towards the limit of what the scene computes, for which `place` is blamed.
-    double evaluate(const Function& function, std::span<const double> arguments, const Span& place);
+    double evaluate(const std::shared_ptr<const Function>& function, std::span<const double> arguments, const Span& place);
     /// A file that the scene names, looked for as included files are; empty if there is none. Throws OptionError for what is no picture.
     std::optional<PictureFile> find_picture(std::string_view name);
     void accept_comma();  ///< commas between parameters are optional

@@ -1,6 +1,7 @@
 // What a Reader holds, shared by the files that carry out directives and evaluate expressions. Not for blocks.
 #pragma once
 
+#include <map>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -144,6 +145,8 @@ struct Reader::State : Reader::Cursor {
     Value parse_built_in(const Span& place);
     std::vector<std::string_view> parse_parameters();
     std::shared_ptr<const Spline> parse_spline();
+    /// The function itself, or one in its place that can answer.
+    std::shared_ptr<const Function> answering_function(const std::shared_ptr<const Function>& stated, const Span& place);
 
     // --- user_files.cpp
     void file_directive(Word w, const Span& place);
@@ -224,6 +227,9 @@ struct Reader::State : Reader::Cursor {
     std::uint32_t placed_media = 0;
     CountedLayers counted_layers;
     std::unordered_set<const void*> placed_textures;  ///< the scene's objects keep them alive
+    /// Functions that ask patterns, with those that can answer; of pigments, by what they ask, a function whose first source it is.
+    std::map<std::shared_ptr<const Function>, std::shared_ptr<const Function>> answering;
+    std::map<std::shared_ptr<const FunctionSource>, std::shared_ptr<const Function>> answering_pigments;
     std::vector<std::uint32_t> random_streams;
 };
 

@@ -196,6 +196,19 @@ Parts resolved(ObjectValue value) {
     return std::move(set.parts);
 }
 
+Extent extent_of(const ObjectValue& value) {
+    if (value.extent) return *value.extent;
+    const Object& object = value.set ? (*value.set)->whole : value.objects.front();
+    return extent_of(object.shape, object.transform);
+}
+
+Bodies bodies_of(Parts parts) {
+    Bodies bodies;
+    bodies.sets = separate_sets(parts.set);
+    bodies.objects = std::move(parts.objects);
+    return bodies;
+}
+
 bool has_texture(const Parts& parts) {
     return std::any_of(parts.objects.begin(), parts.objects.end(), [](const Object& object) { return object.texture.has_value(); });
 }

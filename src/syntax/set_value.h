@@ -24,6 +24,11 @@ void enclose_in_light_group(Parts& parts, const std::vector<std::size_t>& own_li
 /// What is to be seen of the value, each part with what the whole gives it: texture, interior, flags.
 Parts resolved(ObjectValue value);
 
+/// POV-Ray's box of an object that is there.
+Extent extent_of(const ObjectValue& value);
+/// What answers whether a point is inside, or where a ray meets it, needs of an object.
+Bodies bodies_of(Parts parts);
+
 /// Whether there is something that no body of a clip, a bound or a pattern may have: a texture or a patch.
 bool has_texture(const Parts& parts);
 /// A light, or a surface without inside; polygons do not count.

@@ -135,6 +135,7 @@ constexpr TreeSize pattern_of_colors{3, 1};
 /// With the pigment that it may be computed from.
 TreeSize with_source(TreeSize size, const StatedPattern& stated) {
     if (const auto* source = std::get_if<Shared<Pigment>>(&stated.source)) add_cell(size, tree_size(**source));
+    if (const auto* bodies = std::get_if<Shared<Bodies>>(&stated.source)) add_cell(size, {(*bodies)->objects.size(), 0});
     const auto* function = std::get_if<std::shared_ptr<const Function>>(&stated.source);
     if (function && *function) add_cell(size, {(*function)->source_nodes, (*function)->source_depth});
     return size;

@@ -27,7 +27,7 @@ void report_inner(Reader& reader, const Token& token) {
 }  // namespace
 
 bool is_unmodelled_shape(Word w) { return contains(shapes, w); }
-bool is_unmodelled_pattern(Word w) { return w == Word::object || contains(patterns, w); }
+bool is_unmodelled_pattern(Word w) { return contains(patterns, w); }
 bool is_unmodelled_item(Word w) { return contains(items, w); }
 
 void skip_unmodelled_block(Reader& reader, const Token& word) {

@@ -8,7 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/object_probe.h"
+#include "syntax/extent.h"
 #include "syntax/words.h"
 
 namespace rt {
@@ -53,10 +54,19 @@ struct SetValue {
     bool operator==(const SetValue&) const = default;
 };
 
+/// What answers for an object, made when it is first asked; copies of the object share it.
+struct ProbeSlot {
+    std::shared_ptr<const ObjectProbe> probe;
+    bool solid = true;  ///< no part is a light or a surface without inside
+    bool operator==(const ProbeSlot&) const { return true; }
+};
+
 /// An object that was declared, not yet placed: the texture is unset where the file states none.
 struct ObjectValue {
     std::vector<Object> objects;          ///< a shape; none if it can never be hit
     std::optional<Shared<SetValue>> set;  ///< instead of it
+    std::optional<Extent> extent;         ///< of a set, a clipped shape and those that `keeps_its_extent` names
+    mutable ProbeSlot asked;
     bool exists() const { return !objects.empty() || set; }
     bool operator==(const ObjectValue&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "scene/function_source.h"
+#include "world/body_probe.h"
 
 namespace rt {
 
@@ -14,7 +15,7 @@ bool transmits(const PigmentColor& c) { return std::fabs(c.filter) > 1e-10 || st
 /// The colours that a kind shows without a map.
 Shared<ColorMap> default_colors(PatternKind kind) {
     ColorMap map;
-    if (has_cells(kind)) {
+    if (list_size(kind) > 0) {
         for (const Rgb& color : default_cell_colors(kind)) map.colors.push_back({color, 0.0, 0.0});
     } else {
         for (const DefaultMapEntry& entry : default_color_map(kind)) {
@@ -132,6 +133,7 @@ PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& 
     if (const auto* function = std::get_if<std::shared_ptr<const Function>>(&stated.source))
         node.function = compile_function(*function, defaults);
     if (const auto* pigment = std::get_if<Shared<Pigment>>(&stated.source)) node.grey = compile_pigment(**pigment, defaults, false);
+    if (const auto* bodies = std::get_if<Shared<Bodies>>(&stated.source)) node.bodies = make_body_probe(**bodies);
     return node;
 }
 

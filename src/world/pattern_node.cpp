@@ -72,6 +72,7 @@ Vec3 enter(const PatternNode& node, const Vec3& p, const TexturePoint& seen) {
 
 double raw_value_at(const PatternNode& node, const Vec3& q, const TexturePoint& seen) {
     if (node.function) return function_value(*node.function, q);
+    if (node.bodies) return node.bodies->contains(q) ? 1.0 : 0.0;
     if (!node.grey.empty()) {
         TexturePoint there = seen;
         there.point = q;

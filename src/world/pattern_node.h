@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "patterns/map.h"
-#include "scene/scene.h"
+#include "scene/object_probe.h"
 
 namespace rt {
 
@@ -29,6 +29,7 @@ struct PatternNode {
     bool uv_mapping = false;
     std::shared_ptr<const Function> function;
     PigmentTree grey;  ///< of pigment_pattern
+    std::shared_ptr<const ObjectProbe> bodies;
     std::vector<double> values;
 };
 

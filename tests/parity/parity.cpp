@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "commands/job/picture_files.h"
+#include "commands/job/scene_answers.h"
 #include "film/image_file.h"
 #include "syntax/parser.h"
 #include "trace/camera.h"
@@ -59,7 +59,7 @@ Parity compare_with_povray(const std::string& scene_path, const std::string& pic
     parse.image_width = picture.width;
     parse.image_height = picture.height;
     parse.library_paths = options.library_paths;
-    parse.read_picture = [](const std::string& path) { return read_picture_file(path, any_number_of_pixels); };
+    give_answers(parse);
     const Scene scene = parse_file(scene_path, parse, silent);
     const World world = compile(scene, {}, silent);
 

@@ -259,5 +259,44 @@ TEST(PictureBlock, BeforeVersion37NumbersOfUnknownGammaStayAsTheyAre) {
     EXPECT_FLOAT_EQ(grey("#version 3.6;", {}, "gamma 2"), 0.04F);
 }
 
+const Bodies& bodies(const StatedPattern& pattern) { return *std::get<Shared<Bodies>>(pattern.source); }
+
+TEST(ObjectPattern, ListsWhatIsOutsideAndInside) {
+    const PatternPigment p = pigment("object { sphere { 0, 2 } translate x rgb 0.25, rgb 0.5 } scale 3");
+    EXPECT_EQ(p.pattern.pattern.kind, PatternKind::object);
+    EXPECT_EQ(bodies(p.pattern).objects.size(), 1U);
+    EXPECT_EQ(bodies(p.pattern).objects[0].transform->offset, Vec3(1.0, 0.0, 0.0));
+    EXPECT_EQ(p.pattern.pattern.warps.size(), 1U);
+    EXPECT_THAT(colors(p).values, ElementsAre(0.0, 1.0));
+    EXPECT_EQ(colors(p).colors[0].rgb, Rgb(0.25));
+    EXPECT_EQ(colors(p).colors[1].rgb, Rgb(0.5));
+    const PatternPigment own = pigment("object { sphere { 0, 2 } rgb 0.25 }");
+    EXPECT_EQ(colors(own).colors[1].rgb, Rgb(0.0, 1.0, 0.0));
+    EXPECT_TRUE(
+        std::holds_alternative<Shared<PigmentMap>>(pigment("object { sphere { 0, 2 } pigment { rgb 0.2 } pigment { rgb 1 } }").map));
+}
+
+TEST(ObjectPattern, TakesSetsTexturesAndNormals) {
+    const PatternPigment p =
+        pigment("object { union { sphere { 0, 1 } difference { sphere { x, 1 } box { 0, 1 } } scale 2 } scale 2 rgb 0 rgb 1 }");
+    EXPECT_EQ(bodies(p.pattern).objects.size(), 3U);
+    EXPECT_EQ(bodies(p.pattern).sets.size(), 1U);
+    EXPECT_EQ(bodies(p.pattern).objects[0].transform->linear[0][0], 4.0);
+    const Normal n = normal("object { box { 0, 1 } } 0.3");
+    EXPECT_EQ(n.bump.amount, 0.3F);
+    EXPECT_EQ(normal("object { box { 0, 1 } normal { bumps } normal { bumps } }").map.value()->normals.size(), 2U);
+    const ParsedScene textures =
+        parse_block("sphere { 0, 1 texture { object { box { 0, 1 } texture { pigment { rgb 1 } } texture { pigment { rgb 0 } } } } }");
+    EXPECT_EQ(textures.error, "");
+}
+
+TEST(ObjectPattern, Refusals) {
+    EXPECT_EQ(error_in_pigment("object { rgb 1 }"), "Expected 'object', color keyword 'rgb' found instead");
+    EXPECT_EQ(error_in_pigment("object { sphere { 0, 1 } rgb 1 rgb 1 rgb 1 }"),
+              "No matching } in 'object', color keyword 'rgb' found instead");
+    EXPECT_EQ(error_in_pigment("object { sphere { 0, 1 } rgb 1 rgb 1 } color_map { [0 rgb 1] }"),
+              "Cannot use color_map with this pattern type.");
+}
+
 }  // namespace
 }  // namespace rt

@@ -76,17 +76,51 @@ TEST(DeclaredFunction, MistakesAreNamed) {
         {"#declare S=spline{0,1} #declare F=function(x){S(x)}", "A function of floats cannot call one whose values are vectors."},
         {"#declare F=function{internal(0)} #debug str(F(1),0,0)", "'function { internal(0) }' is not modelled."},
         {"#declare F=function{pattern{agate}} #debug str(F(1,2,3),0,0)", "'a pattern's value while reading' is not modelled."},
-        {"#declare F=function{pigment{rgb 1}} #debug str(F(1,2,3).x,0,0)", "'a pigment's colour while reading' is not modelled."},
+        {"#declare F=function{pigment{rgb 1}} #debug str(F(1,2,3).x,0,0)", "'a pattern's value while reading' is not modelled."},
         {"#declare F=function{pigment{rgb 1}} #declare G=function{F(x,y,z)}", "Expected '.', } found instead"},
         {"#declare F=function{pigment{rgb 1}} #declare G=function{F(x,y,z).pi}",
          "Expected 'x, y, z or color component', float function 'pi' found instead"},
         {"#declare F=function(a,b,c){pigment{rgb 1}}", "Function parameters for pigment functions are not allowed."},
         {"#declare F=function(a){pattern{wood}}", "Function parameters for pigment functions are not allowed."},
         {"#declare F=function{pattern{rgb 1}}", "Expected 'pattern', color keyword 'rgb' found instead"},
-        {"#declare F=function{internal(76)} #declare G=function{F(x,y,z)+1} #debug str(G(1,2,3),0,0)",
-         "'function { internal(76) }' is not modelled."},
+        {"#declare F=function{internal(77)} #declare G=function{F(x,y,z)+1} #debug str(G(1,2,3),0,0)",
+         "'function { internal(77) }' is not modelled."},
     };
     for (const auto& [scene, text] : mistakes) EXPECT_EQ(error_text(scene), text) << scene;
+}
+
+/// In the place of every pattern: x and whole numbers.
+class Counting final : public FunctionSource {
+public:
+    std::array<double, 6> values(const Vec3& point) const override { return {point.x, 2.0, 3.0, 4.0, 5.0, 6.0}; }
+};
+
+std::shared_ptr<const Function> counting(const std::shared_ptr<const Function>& stated) {
+    Function function = *stated;
+    for (auto& called : function.called) called = counting(called);
+    for (auto& source : function.sources) source = std::make_shared<const Counting>();
+    return std::make_shared<const Function>(std::move(function));
+}
+
+TEST(DeclaredFunction, PatternsAnswerWhileTheSceneIsReadIfSomebodyCompilesThem) {
+    int compiled = 0;
+    ParseOptions options;
+    options.compile_function = [&compiled](const std::shared_ptr<const Function>& stated, const Scene&) {
+        ++compiled;
+        return counting(stated);
+    };
+    EXPECT_EQ(debug_text("#declare F=function{pattern{agate}} #for(I,1,3) #debug str(F(I,2,3)*10,0,0) #end", options), "102030");
+    EXPECT_EQ(compiled, 1);
+    EXPECT_EQ(debug_text("#declare F=function{pigment{agate}} #for(I,1,3) #debug vstr(5,F(I,2,3),\"\",0,0) #end", options),
+              "123452234532345");
+    EXPECT_EQ(compiled, 2);
+    const Outcome o = read_scene("#declare F=function{pattern{agate}} height_field{function 3,2 {F(x/4,y,z)}}", options);
+    ASSERT_EQ(o.error, "");
+    const auto& field = std::get<HeightField>(std::get<FurtherShape>(o.scene->objects.at(0).shape));
+    EXPECT_EQ(field.data->height(2, 0), 16383);
+    EXPECT_EQ(error_text("height_field{function 3,2 {pattern{agate}}}"), "'a pattern's value while reading' is not modelled.");
+    options.max_replayed_bytes = 10'000;
+    EXPECT_TRUE(read_scene("#declare F=function{pigment{agate}} #for(I,1,300) #declare C=F(I,2,3); #end", options).limit);
 }
 
 TEST(DeclaredFunction, AsksPigmentsAndPatterns) {

@@ -67,5 +67,18 @@ TEST(FunctionSources, WhatIsCalledTwiceIsCompiledOnce) {
     EXPECT_EQ(compile_function(plain, {}), plain) << "nothing to do";
 }
 
+TEST(ObjectPattern, IsOneInsideAndZeroOutside) {
+    Object ball;
+    ball.shape = Sphere{Vec3(0.0), 1.0};
+    StatedPattern pattern;
+    pattern.pattern = make_pattern(PatternKind::object);
+    pattern.pattern.warps.emplace_back(Transform::scale(Vec3(2.0)));
+    pattern.source = Shared<Bodies>(Bodies{{ball}, {}});
+    EXPECT_EQ(value(asking(pattern, 0), {1.5, 0.0, 0.0}), 1.0);
+    EXPECT_EQ(value(asking(pattern, 0), {2.5, 0.0, 0.0}), 0.0);
+    pattern.pattern.frequency = 0.75F;
+    EXPECT_EQ(value(asking(pattern, 0), {1.5, 0.0, 0.0}), 0.75) << "a value as others are";
+}
+
 }  // namespace
 }  // namespace rt

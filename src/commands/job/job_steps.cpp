@@ -11,8 +11,8 @@
 #include "commands/base/values.h"
 #include "commands/job/course_scene.h"
 #include "commands/job/encoding.h"
-#include "commands/job/picture_files.h"
 #include "commands/job/quality.h"
+#include "commands/job/scene_answers.h"
 #include "commands/job/scene_choices.h"
 #include "syntax/limits.h"
 
@@ -92,7 +92,7 @@ MessageSink message_sink(bool quiet) {
 
 Scene read_scene(RenderJob& job, const MessageSink& messages) {
     for (std::string& path : default_library_paths()) job.parse.library_paths.push_back(std::move(path));
-    job.parse.read_picture = [most = job.parse.max_picture_pixels](const std::string& path) { return read_picture_file(path, most); };
+    give_answers(job.parse);
     bound_memory(job.parse.max_memory_bytes / 8 * 9);  // what is found while reading has a place: that comes first
     Scene scene = within_memory(job, [&] { return parse_file(job.scene, job.parse, messages); });
     apply_scene_choices(scene, job);
