@@ -5,6 +5,7 @@
 
 #include "geometry/blob.h"
 #include "geometry/height_field.h"
+#include "geometry/isosurface.h"
 #include "geometry/lathe.h"
 #include "geometry/poly.h"
 #include "geometry/prism.h"
@@ -16,7 +17,7 @@
 
 namespace rt {
 
-using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid, HeightField, SphereSweep>;
+using FurtherShape = std::variant<Quadric, Poly, Prism, Text, Lathe, Sor, Blob, Superellipsoid, HeightField, SphereSweep, Isosurface>;
 
 /// As a scene writes it.
 inline const char* name(const FurtherShape& shape) {

@@ -145,7 +145,7 @@ ParsedShape parse_superellipsoid(Reader& reader) {
     return Superellipsoid{std::fmax(e.x, least), std::fmax(e.y, least)};
 }
 
-constexpr std::array<ShapeSyntax, 26> shapes{{
+constexpr std::array<ShapeSyntax, 27> shapes{{
     {Word::sphere, parse_sphere},
     {Word::plane, parse_plane},
     {Word::box, parse_box},
@@ -172,6 +172,7 @@ constexpr std::array<ShapeSyntax, 26> shapes{{
     {Word::bicubic_patch, parse_bicubic_patch},
     {Word::height_field, parse_height_field, false, true},
     {Word::sphere_sweep, parse_sphere_sweep},
+    {Word::isosurface, parse_isosurface},
 }};
 
 }  // namespace

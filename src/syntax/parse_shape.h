@@ -42,5 +42,6 @@ ParsedShape parse_text(Reader& reader);
 ParsedShape parse_bicubic_patch(Reader& reader);
 ParsedShape parse_height_field(Reader& reader);
 ParsedShape parse_sphere_sweep(Reader& reader);
+ParsedShape parse_isosurface(Reader& reader);
 
 }  // namespace rt

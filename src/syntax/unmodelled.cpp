@@ -7,7 +7,7 @@ namespace rt {
 
 namespace {
 
-constexpr std::initializer_list<Word> shapes{Word::isosurface, Word::julia_fractal, Word::ovus, Word::parametric};
+constexpr std::initializer_list<Word> shapes{Word::julia_fractal, Word::ovus, Word::parametric};
 
 constexpr std::initializer_list<Word> patterns{Word::pavement, Word::tiling};
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "world/compile_pigment.h"
 #include "world/surface_index.h"
 
 namespace rt {
@@ -16,6 +17,7 @@ Surfaces surfaces_of(const Bodies& bodies) {
     Surfaces surfaces;
     for (const Object& object : bodies.objects) surfaces.add(object, seen_by::image);
     for (const ObjectSet& set : bodies.sets) surfaces.add_set(set);
+    for (Placed<FurtherShape>& placed : surfaces.further) compile_functions(placed.shape, {});
     return surfaces;
 }
 

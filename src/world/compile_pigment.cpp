@@ -123,6 +123,10 @@ std::shared_ptr<const Function> compile_function(const std::shared_ptr<const Fun
     return FunctionCompiler(defaults).compile(stated);
 }
 
+void compile_functions(FurtherShape& shape, const PatternDefaults& defaults) {
+    if (auto* isosurface = std::get_if<Isosurface>(&shape)) isosurface->function = compile_function(isosurface->function, defaults);
+}
+
 PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& defaults, bool uv) {
     PatternNode node;
     node.pattern = stated.pattern;

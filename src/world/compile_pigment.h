@@ -18,6 +18,8 @@ PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& 
 PigmentTree compile_pigment(const Pigment& pigment, const PatternDefaults& defaults, bool uv);
 /// The same function; what it asks can answer then.
 std::shared_ptr<const Function> compile_function(const std::shared_ptr<const Function>& stated, const PatternDefaults& defaults);
+/// What an isosurface's function asks can answer then; nothing is done to other shapes.
+void compile_functions(FurtherShape& shape, const PatternDefaults& defaults);
 NormalNode compile_normal(const Normal& normal, const PatternDefaults& defaults, bool uv);
 
 bool uses_uv(const PatternNode& node);

@@ -91,6 +91,10 @@ bool Surfaces::bounds_set(const Part& part, const Ray& ray, double t, const Vec3
 /// Whether the ray only touches the shape at t, as at an edge: it is outside on both sides. Beside a hit of one face another one that the
 /// ray grazes may be too near to tell, so that is asked farther away as well.
 bool Surfaces::is_touch(std::uint32_t object, const Ray& ray, double t, double aside, double error) const {
+    // The hits of an isosurface are an accuracy away from where its inside ends, which is far, and it touches nothing.
+    if (const Surface& s = objects[object];
+        parts[s.part].kind == SurfaceKind::further && std::holds_alternative<Isosurface>(further[s.first].shape))
+        return false;
     const bool outside = objects[object].inverse;
     for (const double step : {aside, 0x1p10 * aside, 0x1p20 * aside})
         if (body_contains(object, ray.at(t - step)) != outside || body_contains(object, ray.at(t + step)) != outside) return false;
