@@ -50,6 +50,17 @@ std::shared_ptr<const Function> noise_function(Reader& reader, const Span& place
     return function_of_pattern(reader, place, std::move(noise));
 }
 
+std::shared_ptr<const Function> grey_of(const PigmentFunction& pigment) {
+    constexpr std::uint32_t grey = 5;
+    Function function;
+    function.parameters = function.stack = 3;
+    for (std::uint32_t i = 0; i < 3; ++i) function.steps.push_back({.op = Function::Op::argument, .index = i});
+    function.steps.push_back({.op = Function::Op::source, .count = grey});
+    function.source_nodes = pigment.nodes, function.source_depth = pigment.depth;
+    function.sources.push_back(pigment.source);
+    return std::make_shared<const Function>(std::move(function));
+}
+
 FunctionValue function_of_source(Reader& reader, Word word) {
     if (word == Word::pigment) return pigment_function(reader);
     return pattern_function(reader);

@@ -12,4 +12,7 @@ FunctionValue function_of_source(Reader& reader, Word word);
 /// POV-Ray's noise at (x, y, z), by the scene's generator: what `f_noise3d` is.
 std::shared_ptr<const Function> noise_function(Reader& reader, const Span& place);
 
+/// The grey of a pigment at (x, y, z), as height fields take it.
+std::shared_ptr<const Function> grey_of(const PigmentFunction& pigment);
+
 }  // namespace rt

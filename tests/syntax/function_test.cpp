@@ -118,6 +118,8 @@ TEST(DeclaredFunction, PatternsAnswerWhileTheSceneIsReadIfSomebodyCompilesThem) 
     ASSERT_EQ(o.error, "");
     const auto& field = std::get<HeightField>(std::get<FurtherShape>(o.scene->objects.at(0).shape));
     EXPECT_EQ(field.data->height(2, 0), 16383);
+    const Outcome grey = read_scene("height_field{function 3,2 {pigment{agate}}}", options);
+    EXPECT_EQ(std::get<HeightField>(std::get<FurtherShape>(grey.scene->objects.at(0).shape)).data->height(2, 0), 0xfffa) << "65535 * 6";
     EXPECT_EQ(error_text("height_field{function 3,2 {pattern{agate}}}"), "'a pattern's value while reading' is not modelled.");
     options.max_replayed_bytes = 10'000;
     EXPECT_TRUE(read_scene("#declare F=function{pigment{agate}} #for(I,1,300) #declare C=F(I,2,3); #end", options).limit);
