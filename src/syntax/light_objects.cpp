@@ -47,6 +47,7 @@ ObjectValue LightLook::with(Reader& reader, Light light) {
     add_item(reader, light.span, *parts_, std::move(light), false);
     ObjectValue value;
     value.set = std::move(*parts_);
+    value.extent = Extent{};  // a light has no end
     return value;
 }
 
@@ -103,6 +104,7 @@ void move_mask(Reader& reader, const Span& place, Mask& mask, const Transform& t
     enclose_in_light_group(group->parts, own_lights, global_lights);
     ObjectValue value;
     value.set = std::move(*group);
+    value.extent = Extent{};
     return value;
 }
 
