@@ -176,6 +176,8 @@ void find_hits(const HeightField& shape, const Ray& ray, HitSink& sink) { Walk(s
 
 Vec3 normal(const HeightField& shape, const Vec3& point, const ShapeHit& hit) { return moved_normal(shape, Transform{}, point, hit); }
 
+Vec3 flat_normal(const HeightField& shape, const ShapeHit& hit) { return flat_normal(*shape.data, hit.part); }
+
 Vec3 moved_normal(const HeightField& shape, const Transform& to_world, const Vec3& point, const ShapeHit& hit) {
     const HeightFieldData& field = *shape.data;
     if (shape.normals->empty()) return to_world.normal(flat_normal(field, hit.part));

@@ -64,6 +64,8 @@ inline constexpr std::size_t most_height_samples = std::size_t{1} << 30;
 /// triangles meets at least one of them.
 void find_hits(const HeightField& shape, const Ray& ray, HitSink& sink);
 Vec3 normal(const HeightField& shape, const Vec3& point, const ShapeHit& hit);
+/// Of the triangle that was met, of any length: what `normal` is unless the field is smooth.
+Vec3 flat_normal(const HeightField& shape, const ShapeHit& hit);
 /// Of the shape moved: POV-Ray moves the normals of the samples and makes them unit before it mixes them. `point` is in the shape's space.
 Vec3 moved_normal(const HeightField& shape, const Transform& to_world, const Vec3& point, const ShapeHit& hit);
 /// Everything below the surface, however deep.

@@ -35,7 +35,7 @@ struct SetNode {
     bool cutaway = false;     ///< an `all` whose parts without a texture have that of the parts that they cut
     std::uint32_t index = 0;  ///< of the object, counted from the set's first one, or of the solid
     std::uint32_t size = 1;   ///< nodes from this one to the end of its parts
-    /// `Object::medium` of the interior that is stated of the set as a whole; 0: none is.
+    /// `Object::medium` of the interior of the set as a whole; 0: a shape that is no set.
     std::uint32_t medium = 0;
     bool operator==(const SetNode&) const = default;
 };

@@ -73,7 +73,8 @@ void hand_down_flags(const Object& whole, SetValue::Kind kind, bool split, Objec
     part.hollow |= whole.hollow;
 }
 
-/// The interior of the whole is that of the parts without one, which have it in common; so are sets in a union.
+/// The interior of the whole, POV-Ray's own if none is stated, is that of the parts without one, which have it in common; so are sets in a
+/// union.
 void hand_down_interior(const Object& whole, Parts& parts) {
     const std::uint32_t medium = ++parts.media;
     for (Object& part : parts.objects) {
@@ -98,7 +99,7 @@ void hand_down(const SetValue& set, Parts& parts) {
         }
         hand_down_flags(set.whole, set.kind, split, part);
     }
-    if (set.whole.interior) hand_down_interior(set.whole, parts);
+    hand_down_interior(set.whole, parts);
 }
 
 /// Puts the set and further bodies under one node.

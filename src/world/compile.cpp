@@ -143,7 +143,7 @@ void reserve(const Scene& scene, Surfaces& surfaces) {
     surfaces.objects.reserve(scene.objects.size());
 }
 
-/// A set counts once, with the interior of the whole, if it has one: by its first part of that medium.
+/// A set counts once, with the interior of the whole: by its first part of that medium.
 bool is_around_camera(const Scene& scene, const Surfaces& surfaces, std::uint32_t object, const Vec3& camera, std::uint32_t& last_set) {
     const std::uint32_t set = surfaces.set_of(object);
     if (set == Body::none) return surfaces.contains(object, camera);

@@ -2,7 +2,7 @@
 //
 // POV-Ray asks a body only for rays that meet these, wherever the body's surface is met then. Its box is that of the shapes: of an
 // intersection what the boxes of its parts have in common, of a disc that of the flat square around it although all behind it is its
-// inside. Bounds take the box's place if their own is smaller. A shape that has a box needs no bounds itself, so of them only theirs is
+// inside; a height field, whose inside has no floor, has none. Bounds take the box's place if their own is smaller. A shape that has a box needs no bounds itself, so of them only theirs is
 // left.
 
 #include <algorithm>
@@ -61,7 +61,8 @@ bool is_asked_without_box(const Surface& s, const Surfaces& all) {
 
 Bounds Surfaces::shape_gate(std::uint32_t object) const {
     const Surface& s = objects[object];
-    return s.kind == SurfaceKind::disc ? square_bounds(discs[s.first]) : shape_bounds(object);
+    if (s.kind == SurfaceKind::disc) return square_bounds(discs[s.first]);
+    return holds_its_inside(object) ? shape_bounds(object) : Bounds::everything();
 }
 
 /// From the gates of its parts.

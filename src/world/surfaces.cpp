@@ -89,6 +89,11 @@ bool Surfaces::offer_plane(std::uint32_t face, Query& query) const {
 
 Vec3 Surfaces::flat_side(const Hit& hit, const Vec3& normal) const {
     const Surface& s = objects[hit.object];
+    if ((s.kind == SurfaceKind::part ? parts[s.part].kind : s.kind) == SurfaceKind::further) {
+        const Placed<FurtherShape>& placed = further[s.first];
+        const auto* field = std::get_if<HeightField>(&placed.shape);
+        return field && !field->normals->empty() ? in_range_unit(placed.to_world.normal(rt::flat_normal(*field, hit.shape))) : normal;
+    }
     if (!s.is_triangles() || s.first_normals == Surface::flat) return normal;
     return in_range_unit(flat_normal(*this, s, hit));
 }

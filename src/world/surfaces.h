@@ -185,7 +185,7 @@ struct Surfaces {
     bool offer_plane(std::uint32_t face, Query& query) const;
 
     Vec3 normal(const Hit& hit, const Vec3& point) const;
-    /// Unit normal of the surface as it stands: the flat one, of either sign, for a smooth face, else `normal`.
+    /// Unit normal of the surface as it stands: the flat one, of either sign, where normals are smoothed, else `normal`.
     Vec3 flat_side(const Hit& hit, const Vec3& normal) const;
     /// Whether a ray of this direction comes from the inner side, which shows the interior texture.
     bool met_from_inside(const Hit& hit, const Vec3& point, const Vec3& direction) const;

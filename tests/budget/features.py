@@ -15,7 +15,7 @@ FEATURES = {
     "transparency": ["shading/optics.h:refract", "shading/optics.h:distance_fade", "trace/interior_list.h:cross",
                      "trace/shadow.cpp:through_transparent", "trace/shadow.cpp:filtered", "trace/shadow.cpp:fade"],
     "patterns": ["patterns/checker.h"],
-    "textures of parts": ["world/shape_frame.cpp", "trace/surface_layers.cpp:blend", "geometry/mesh.cpp:texture_weights"],
+    "textures of parts": ["trace/surface_layers.cpp:blend", "geometry/mesh.cpp:texture_weights"],
     "area lights": ["trace/area_average.h", "trace/shadow.cpp:area"],
     "mirrors": ["trace/recursion.cpp:reflectivity", "shading/optics.h:fresnel_reflectance", "shading/povray_finish.h:angular_reflectivity"],
     "highlights": ["shading/kernels.cpp:fixed_highlight", "shading/half_geometry.h", "trace/lighting.cpp:catalogue_highlight"],

@@ -151,6 +151,15 @@ TEST(Sets, TheInteriorOfTheWholeIsOneMedium) {
     EXPECT_EQ((**scene.objects[1].interior).ior, 1.1);
 }
 
+TEST(Sets, PartsWithoutAnInteriorHaveOneInCommon) {
+    const Scene scene = scene_of(
+        "difference { box { -1, 1 interior { ior 1.5 } } union { sphere { 0, 1 } sphere { x, 1 } } sphere { y, 1 } }\n"
+        "union { sphere { 0, 1 } sphere { x, 1 } } sphere { 0, 1 }");
+    std::vector<std::uint32_t> media;
+    for (const Object& object : scene.objects) media.push_back(object.medium);
+    EXPECT_THAT(media, ElementsAre(0, 2, 2, 2, 3, 3, 0));
+}
+
 TEST(Sets, FlagsOfPartsCountInUnionsOnly) {
     const std::string parts = "{ box { -1, 0 no_image no_shadow } sphere { 0, 1 } ";
     const auto flags = [&](const std::string& text) {
@@ -194,7 +203,7 @@ TEST(Sets, BoundsStandAroundTheWhole) {
     // An inverted object is bounded by the same; what a clip has named says nothing more.
     const Scene inverted = parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } inverse }").scene;
     EXPECT_TRUE(inverted.objects.at(0).inverse);
-    EXPECT_EQ(inverted.sets.at(0).nodes.at(0).index, 1u);
+    EXPECT_TRUE(inverted.sets.at(0).nodes.at(0).inverse);
     EXPECT_FALSE(inverted.sets.at(0).solids.at(0).inverse);
     EXPECT_EQ(parse_block("sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }").scene.sets.at(0).solids.size(), 1u);
     EXPECT_THAT(scene_of("sphere { 0, 1 clipped_by { bounded_by } }").sets, IsEmpty());

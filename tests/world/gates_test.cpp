@@ -148,6 +148,23 @@ TEST(Gates, PartsHaveBoundsOfTheirOwn) {
     EXPECT_GT(first_hit(world, 0.0, 1.2), 0.0);
 }
 
+/// The inside of a height field goes down without end.
+TEST(Gates, AHeightFieldLimitsNothingBelow) {
+    Scene scene;
+    scene.objects.push_back(body(Box{Vec3(-1, -3, 0.1), Vec3(2, 3, 0.9)}));
+    HeightField field;
+    field.data = HeightFieldData(2, 2, {40000, 40000, 40000, 40000});
+    scene.objects.push_back(body(FurtherShape(field)));
+    ObjectSet set;
+    set.nodes.resize(3);
+    set.nodes[0].kind = Kind::all;
+    set.nodes[0].size = 3;
+    set.nodes[2].index = 1;
+    scene.sets.push_back(set);
+    add_others(scene);
+    EXPECT_NEAR(first_hit(compiled(scene), 0.5, -2.0), 5.1, 1e-9);
+}
+
 /// Of a body that is cut out the bounds take away what they do not meet, but nothing of what it is cut out of.
 TEST(Gates, BoundsOfWhatIsCutOutAreNoBoxOfTheWhole) {
     Scene scene;
@@ -156,7 +173,7 @@ TEST(Gates, BoundsOfWhatIsCutOutAreNoBoxOfTheWhole) {
     scene.objects.push_back(body(Box{Vec3(-2, -2, 0), Vec3(2)}));
     bound(scene, Sphere{Vec3(0.5, 0, 0), 0.6});
     std::vector<SetNode>& nodes = scene.sets.front().nodes;
-    nodes.front().index = 1;
+    nodes.front().inverse = true;
     SetNode difference;
     difference.kind = Kind::all;
     difference.size = 5;

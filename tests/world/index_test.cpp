@@ -203,6 +203,28 @@ TEST(FastIndex, DoesNotAskTheLastBlocker) {
     EXPECT_GT(disagreements, 10);
 }
 
+TEST(HeightField, OnesSideIsThatOfTheTriangleThatIsMet) {
+    HeightField field;
+    field.data = HeightFieldData(2, 3, {0, 0, 30000, 10000, 65535, 0});
+    field.normals = sample_normals(*field.data);
+    Object object;
+    object.shape = FurtherShape(field);
+    object.transform = Transform::scale(Vec3(2, -1, 3)).then(Transform::rotate({10, 20, 30}, Rotation::povray));
+    Scene scene;
+    scene.objects.push_back(object);
+    const World world = compiled(scene, IndexKind::embree);
+    const auto at = [&](const Vec3& p) { return object.transform->point(p); };
+    const Vec3 from = at(Vec3(0.2, 5, 0.1)), corner = at(field.data->point(0, 0));
+    Hit hit;
+    ASSERT_TRUE(world.nearest({from, unit(at(Vec3(0.2, 0, 0.1)) - from)}, {}, RayKind::image, hit));
+    const Vec3 normal = world.normal(hit, from);
+    const Vec3 side = world.flat_side(hit, normal);
+    EXPECT_NEAR(length(side), 1.0, 1e-12);
+    EXPECT_NEAR(dot(side, at(field.data->point(1, 0)) - corner), 0.0, 1e-12);
+    EXPECT_NEAR(dot(side, at(field.data->point(0, 1)) - corner), 0.0, 1e-12);
+    EXPECT_GT(length(cross(side, normal)), 0.01);
+}
+
 TEST(ClosedMesh, NoRayLeavesThroughEdgesOrVertices) {
     const MeshData mesh = closed_mesh(10000);
     ASSERT_GT(mesh.faces.size(), 9000u);

@@ -127,7 +127,7 @@ std::vector<std::string> installed_includes(const std::string& povray) {
 }
 
 std::vector<std::string> our_command(const VersusSettings& settings, const std::string& scene, Maker maker, const std::string& picture) {
-    std::vector<std::string> words = {settings.program, scene};
+    std::vector<std::string> words = {"/usr/bin/env", "POVINI=" + no_settings_file(settings), settings.program, scene};
     words.insert(words.end(), settings.words.begin(), settings.words.end());
     words.push_back(fmt::format("--threads={}", settings.threads));
     if (maker == Maker::same) words.emplace_back("--shading=povray");
