@@ -16,7 +16,7 @@ float in_film(double light) {
     return static_cast<float>(std::isfinite(light) ? std::clamp(light, -most, most) : light);
 }
 
-Pixel pixel_of(const Rgb& rgb, double transmittance) {
+[[gnu::always_inline]] inline Pixel pixel_of(const Rgb& rgb, double transmittance) {
     return {in_film(rgb.r), in_film(rgb.g), in_film(rgb.b), static_cast<float>(transmittance)};
 }
 

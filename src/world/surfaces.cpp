@@ -47,6 +47,12 @@ Vec3 triangle_normal(const Surfaces& all, const Surface& s, const Hit& hit, cons
     return normal(SmoothTriangle{{}, {}, {}, all.normals[n[0]], all.normals[n[1]], all.normals[n[2]]}, point, hit.shape);
 }
 
+/// Of a shape that is seldom: apart, so that all others ask nothing but their kind.
+[[gnu::noinline]] Vec3 further_side(const Placed<FurtherShape>& placed, const Hit& hit, const Vec3& normal) {
+    const auto* field = std::get_if<HeightField>(&placed.shape);
+    return field && !field->normals->empty() ? in_range_unit(placed.to_world.normal(flat_normal(*field, hit.shape))) : normal;
+}
+
 }  // namespace
 
 bool Surfaces::test_faces(const Surface& s, Query& query) const {
@@ -89,13 +95,11 @@ bool Surfaces::offer_plane(std::uint32_t face, Query& query) const {
 
 Vec3 Surfaces::flat_side(const Hit& hit, const Vec3& normal) const {
     const Surface& s = objects[hit.object];
-    if ((s.kind == SurfaceKind::part ? parts[s.part].kind : s.kind) == SurfaceKind::further) {
-        const Placed<FurtherShape>& placed = further[s.first];
-        const auto* field = std::get_if<HeightField>(&placed.shape);
-        return field && !field->normals->empty() ? in_range_unit(placed.to_world.normal(rt::flat_normal(*field, hit.shape))) : normal;
+    if (!s.is_triangles()) {
+        const SurfaceKind kind = s.kind == SurfaceKind::part ? parts[s.part].kind : s.kind;
+        return kind == SurfaceKind::further ? further_side(further[s.first], hit, normal) : normal;
     }
-    if (!s.is_triangles() || s.first_normals == Surface::flat) return normal;
-    return in_range_unit(flat_normal(*this, s, hit));
+    return s.first_normals == Surface::flat ? normal : in_range_unit(flat_normal(*this, s, hit));
 }
 
 Vec3 Surfaces::normal(const Hit& hit, const Vec3& point) const {
