@@ -26,12 +26,12 @@ TEST(VersusCommands, BothSayTheSame) {
                             "+FN8", "-D", "-V", "+A0.1", "+AM2", "+R4", "-J", "Declare=N=3", "Declare='T=\"3a\"'", "+K0.5", "+MV3.6",
                             "+WT2", "+L/a", "+L\"/lib dir\"", "+L/share/include"));
     EXPECT_TRUE(names.links().empty());
-    EXPECT_THAT(
-        our_command(s, "/a/b.pov", Maker::same, "same.png"),
-        ElementsAre("/p/raytrace", "/a/b.pov", "--width=64", "--height=48", "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3",
-                    "--define=T=3a", "--clock=0.5", "--language=3.6", "--threads=2", "--shading=povray", "--stats", "-o", "same.png"));
+    EXPECT_THAT(our_command(s, "/a/b.pov", Maker::same, "same.png"),
+                ElementsAre("/usr/bin/env", "POVINI=/out/povray.ini", "/p/raytrace", "/a/b.pov", "--width=64", "--height=48",
+                            "--aa=2,0.1,4", "--library=/lib dir", "--define=N=3", "--define=T=3a", "--clock=0.5", "--language=3.6",
+                            "--threads=2", "--shading=povray", "--stats", "-o", "same.png"));
     EXPECT_THAT(our_command(settings({}), "/b.pov", Maker::general, "general.png"),
-                ElementsAre("/p/raytrace", "/b.pov", "--threads=2", "--stats", "-o", "general.png"));
+                ElementsAre("/usr/bin/env", "POVINI=povray.ini", "/p/raytrace", "/b.pov", "--threads=2", "--stats", "-o", "general.png"));
     EXPECT_THAT(povray_picture_words(settings({"--width=8"}).job), testing::Contains("-A"));
     EXPECT_THAT(povray_picture_words(settings({"--clock=0"}).job), testing::Contains("+K0"));
 }
