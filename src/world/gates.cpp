@@ -2,8 +2,8 @@
 //
 // POV-Ray asks a body only for rays that meet these, wherever the body's surface is met then. Its box is that of the shapes: of an
 // intersection what the boxes of its parts have in common, of a disc that of the flat square around it although all behind it is its
-// inside; a height field, whose inside has no floor, has none. Bounds take the box's place if their own is smaller. A shape that has a box needs no bounds itself, so of them only theirs is
-// left.
+// inside; a height field, whose inside has no floor, has none. Bounds take the box's place if their own is smaller. A shape that has a box
+// needs no bounds itself, so of them only theirs is left.
 
 #include <algorithm>
 
