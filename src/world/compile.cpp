@@ -220,7 +220,8 @@ Surfaces compile_objects(const Scene& scene, const CompileOptions& options, cons
     const bool few = is_small(scene);
     for (const ObjectSet& set : scene.sets) surfaces.add_set(set, few);
     add_masks(world, surfaces);
-    for (Placed<FurtherShape>& placed : surfaces.further) compile_functions(placed.shape, pattern_defaults(scene));
+    const PatternDefaults defaults = pattern_defaults(scene);
+    for (Placed<FurtherShape>& placed : surfaces.further) compile_functions(placed.shape, defaults);
     world.materials = materials.take();
     for (const Material& material : world.materials) {
         require(material.layers, world.features);

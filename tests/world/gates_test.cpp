@@ -31,6 +31,16 @@ void bound(Scene& scene, const Shape& by) {
     scene.sets.push_back(set);
 }
 
+/// Makes what is bounded and the second object the parts of one body.
+void join(Scene& scene, Kind kind) {
+    std::vector<SetNode>& nodes = scene.sets.front().nodes;
+    SetNode whole;
+    whole.kind = kind;
+    whole.size = 5;
+    nodes.insert(nodes.begin(), whole);
+    nodes.emplace_back().index = 1;
+}
+
 void add_others(Scene& scene) {
     for (const double x : {50.0, 60.0, 70.0}) scene.objects.push_back(body(Sphere{Vec3(x, 0, 0), 1.0}));
 }
@@ -134,12 +144,7 @@ TEST(Gates, PartsHaveBoundsOfTheirOwn) {
     scene.objects.front().transform = Transform::rotate(Vec3(90, 0, 0), Rotation::povray);
     scene.objects.push_back(body(Sphere{Vec3(0, 1.2, 0), 0.2}));
     bound(scene, Sphere{Vec3(0.5, 0, 0), 0.6});
-    std::vector<SetNode>& nodes = scene.sets.front().nodes;
-    SetNode merge;
-    merge.kind = Kind::merged;
-    merge.size = 5;
-    nodes.insert(nodes.begin(), merge);
-    nodes.emplace_back().index = 1;
+    join(scene, Kind::merged);
     add_others(scene);
     const World world = compiled(scene);
     EXPECT_GT(first_hit(world, 0.8, 0.0), 0.0);
@@ -172,13 +177,8 @@ TEST(Gates, BoundsOfWhatIsCutOutAreNoBoxOfTheWhole) {
     scene.objects.front().inverse = true;
     scene.objects.push_back(body(Box{Vec3(-2, -2, 0), Vec3(2)}));
     bound(scene, Sphere{Vec3(0.5, 0, 0), 0.6});
-    std::vector<SetNode>& nodes = scene.sets.front().nodes;
-    nodes.front().inverse = true;
-    SetNode difference;
-    difference.kind = Kind::all;
-    difference.size = 5;
-    nodes.insert(nodes.begin(), difference);
-    nodes.emplace_back().index = 1;
+    scene.sets.front().nodes.front().inverse = true;
+    join(scene, Kind::all);
     add_others(scene);
     const World world = compiled(scene);
     EXPECT_EQ(first_hit(world, 1.5, 0.0), 5.0);
