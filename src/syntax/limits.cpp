@@ -17,7 +17,7 @@ using Options = ParseOptions;
 
 constexpr SceneLimit limits[] = {
     {"file", "bytes of one file", &Options::max_file_bytes, most_places, true},
-    {"memory", "bytes of the whole program", &Options::max_memory_bytes, unbounded, true},
+    {"memory", "bytes of the whole program", &Options::max_memory_bytes, unbounded, true, "3/4 of the machine's"},
     {"reread", "bytes that loops and macros read again", &Options::max_replayed_bytes, unbounded, true},
     {"written", "bytes that #write keeps", &Options::max_written_bytes, unbounded, true},
     {"string", "bytes of one string", &Options::max_string_bytes, most_places, true},

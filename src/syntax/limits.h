@@ -18,6 +18,7 @@ struct SceneLimit {
     std::variant<int ParseOptions::*, std::size_t ParseOptions::*> member;
     std::uint64_t highest = std::uint64_t{1} << 62;  ///< that can be set; the least is 1
     bool bytes = false;                              ///< else a count
+    std::string_view standard = {};                  ///< in words, of what is not the same on every machine
 };
 
 /// All of them, in the order in which they are told.

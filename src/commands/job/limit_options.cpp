@@ -70,8 +70,11 @@ const std::string& limits_topic() {
             "raytrace scene.pov --limit macro-depth=50k --limit memory=8G\n\n"
             "What a scene may ask for; more ends the program with status 4.\n\n";
         const ParseOptions defaults;
-        for (const SceneLimit& limit : scene_limits())
-            text += fmt::format("{:<18} {:>5}  {}\n", limit.name, short_text(limit, value_of(limit, defaults)), limit.meaning);
+        for (const SceneLimit& limit : scene_limits()) {
+            const std::string words = limit.standard.empty() ? "" : fmt::format(": {}", limit.standard);
+            const std::string value = words.empty() ? short_text(limit, value_of(limit, defaults)) : "";
+            text += fmt::format("{:<18} {:>5}  {}{}\n", limit.name, value, limit.meaning, words);
+        }
         return text +
                "\nFixed: arrays in arrays 100 deep, functions that call each other 100 deep, sets\n"
                "in sets 1000 deep. Deeper nesting may need a larger stack (ulimit -s).\n";

@@ -65,6 +65,7 @@ TEST(LimitOption, RaisesAndLowersWhatAScenesMayAskFor) {
 TEST(LimitOption, TheHelpNamesEveryLimitWithItsValue) {
     EXPECT_THAT(limits_topic(), testing::HasSubstr("macro-depth          10k  macros that call each other\n"));
     EXPECT_THAT(limits_topic(), testing::HasSubstr("file                  1G  bytes of one file\n"));
+    EXPECT_THAT(limits_topic(), testing::HasSubstr("memory                    bytes of the whole program: 3/4 of the machine's\n"));
 }
 
 }  // namespace
