@@ -36,8 +36,8 @@ struct Transform {
 
     Vec3 point(const Vec3& p) const { return linear * p + offset; }
     Vec3 direction(const Vec3& d) const { return linear * d; }
-    Vec3 inverse_point(const Vec3& p) const { return inverse_linear * p + inverse_offset; }
-    Vec3 inverse_direction(const Vec3& d) const { return inverse_linear * d; }
+    [[gnu::always_inline]] Vec3 inverse_point(const Vec3& p) const { return inverse_linear * p + inverse_offset; }
+    [[gnu::always_inline]] Vec3 inverse_direction(const Vec3& d) const { return inverse_linear * d; }
     /// Normals go with the inverse transpose; not renormalised.
     Vec3 normal(const Vec3& n) const { return n * inverse_linear; }
     /// Object-space ray with the same parameter t.

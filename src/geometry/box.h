@@ -35,7 +35,7 @@ struct Slabs {
 };
 
 /// Kay and Kajiya 1986, "Ray Tracing Complex Scenes", with one division per plane. Faces, edges and corners belong to the box.
-inline bool intersect(const Box& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
+[[gnu::always_inline]] inline bool intersect(const Box& shape, const Ray& ray, const Interval& range, ShapeHit& hit) {
     Slabs slabs;
     const Vec3& o = ray.origin;
     const Vec3& d = ray.direction;

@@ -19,22 +19,18 @@ LightSource::LightSource(const Light& light, const LampRules& rules)
       cos_radius_(std::cos(radians(light.radius))),
       cos_falloff_(std::cos(radians(light.falloff))),
       fades_(light.fade_power > 0.0 && std::fabs(light.fade_distance) > 1e-10),
-      thins_(!light.parallel && (rules.law.kind != Attenuation::none || rules.law.range < AttenuationLaw::infinite)) {}
+      thins_(!light.parallel && (rules.law.kind != Attenuation::none || rules.law.range < AttenuationLaw::infinite)),
+      directed_(light.type == Light::Type::cylinder || light.parallel),
+      attenuates_(light.type == Light::Type::spotlight || light.type == Light::Type::cylinder || fades_ || thins_) {}
 
-LightRay LightSource::towards(const Vec3& location, const Vec3& point) const {
-    const Vec3 to_light = location - point;
-    if (light_->type == Light::Type::cylinder || light_->parallel) {
-        // A sample of an area shines through point_at from where it stands.
-        const Vec3 direction = location == light_->location ? -axis_ : unit_or_zero(location - light_->point_at);
-        return {direction, dot(to_light, direction)};
-    }
-    const double distance = length(to_light);
-    if (!(distance > 0.0) || !std::isfinite(distance)) return {};
-    return {to_light / distance, distance};
+/// A sample of an area shines through point_at from where it stands.
+LightRay LightSource::along_axis(const Vec3& location, const Vec3& to_light) const {
+    const Vec3 direction = location == light_->location ? -axis_ : unit_or_zero(location - light_->point_at);
+    return {direction, dot(to_light, direction)};
 }
 
 Vec3 LightSource::direction_beside(const Vec3& beside, const Vec3& point, const LightRay& ray) const {
-    if (light_->type == Light::Type::cylinder || light_->parallel) return ray.direction;
+    if (directed_) return ray.direction;
     return unit_or_zero(point - beside + ray.distance * ray.direction);
 }
 
@@ -65,7 +61,7 @@ double LightSource::fade(double distance) const {
     return std::isfinite(factor) ? factor : 0.0;
 }
 
-double LightSource::attenuation(const Vec3& point, const LightRay& ray) const {
+double LightSource::attenuated(const Vec3& point, const LightRay& ray) const {
     double factor = 1.0;
     // A parallel spotlight's rays are its axis; what lies behind its plane is behind the cone.
     if (light_->type == Light::Type::spotlight) factor = cone(ray.distance < 0.0 ? ray.direction : -ray.direction);

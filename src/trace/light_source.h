@@ -21,16 +21,24 @@ public:
 
     /// From `point` to the light when it stands at `location` (its own, or a sample's of its area). The zero direction where there is none:
     /// the light is at the point, or a directed light has no direction.
-    LightRay towards(const Vec3& location, const Vec3& point) const;
+    LightRay towards(const Vec3& location, const Vec3& point) const {
+        const Vec3 to_light = location - point;
+        if (directed_) return along_axis(location, to_light);
+        const double distance = length(to_light);
+        if (!(distance > 0.0) || !std::isfinite(distance)) return {};
+        return {to_light / distance, distance};
+    }
 
     /// The direction at `beside`, not far from `point`, towards where `ray` leads from `point`.
     Vec3 direction_beside(const Vec3& beside, const Vec3& point, const LightRay& ray) const;
 
     /// Factor on the light's colour at `point` along `ray`, which may lead to a sample: spot cone, cylinder (always the central one),
     /// fading with distance, the law of all lamps. Not NaN.
-    double attenuation(const Vec3& point, const LightRay& ray) const;
+    double attenuation(const Vec3& point, const LightRay& ray) const { return attenuates_ ? attenuated(point, ray) : 1.0; }
 
 private:
+    LightRay along_axis(const Vec3& location, const Vec3& to_light) const;
+    double attenuated(const Vec3& point, const LightRay& ray) const;
     double cone(const Vec3& from_light) const;
     double cylinder(const Vec3& point) const;
     double fade(double distance) const;
@@ -41,6 +49,9 @@ private:
     double cos_radius_ = 0.0, cos_falloff_ = 0.0;
     bool fades_ = false;
     bool thins_ = false;  ///< by the rules' law
+    // A lamp that is neither shines everywhere, with all of its light.
+    bool directed_ = false;  ///< all of its rays are parallel
+    bool attenuates_ = false;
 };
 
 /// The grid of an area light, turned towards a point where it says `orient`.

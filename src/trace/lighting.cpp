@@ -103,9 +103,7 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
         if (source.area() != nullptr) {
             arriving = shadows_.area(source, index, arriving, at, view.inside, view.log);
         } else {
-            ShadowAnswer answer{index, 0, Rgb(1.0), {}};
-            arriving *= shadows_.transmitted(index, at, ray, view.inside, view.log != nullptr ? &answer : nullptr);
-            if (view.log != nullptr) view.log->shadows.push_back(std::move(answer));
+            arriving *= transmitted(index, view, ray);
         }
         if (arriving == Rgb(0.0)) return;
     }
@@ -114,6 +112,14 @@ void Lighting::one_light(const LightSource& source, std::uint32_t index, const V
     } else {
         add(view, source, ray, n_dot_l, arriving, result);
     }
+}
+
+Rgb Lighting::transmitted(std::uint32_t index, const View& view, const LightRay& ray) {
+    if (view.log == nullptr) return shadows_.transmitted(index, view.at, ray, view.inside, nullptr);
+    ShadowAnswer answer{index, 0, Rgb(1.0), {}};
+    const Rgb light = shadows_.transmitted(index, view.at, ray, view.inside, &answer);
+    view.log->shadows.push_back(std::move(answer));
+    return light;
 }
 
 void Lighting::area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const {

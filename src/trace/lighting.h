@@ -60,6 +60,7 @@ private:
     View view(const SurfacePoint& at, std::span<const ActiveLayer> layers, std::span<const std::uint32_t> inside, RayNode* log) const;
     bool is_seen(const View& view, double n_dot_l, bool shadowless) const;
     void one_light(const LightSource& source, std::uint32_t index, const View& view, LocalLight& result);
+    Rgb transmitted(std::uint32_t index, const View& view, const LightRay& ray);
     void area_illumination(const LightSource& source, const Rgb& light, const View& view, LocalLight& result) const;
     void add(const View& view, const LightSource& source, const LightRay& ray, double n_dot_l, const Rgb& light, LocalLight& result) const;
     Rgb povray_highlights(const View& view, const ActiveLayer& layer, const Vec3& l, double n_dot_l) const;

@@ -71,10 +71,11 @@ private:
     };
     bool mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, Path& path, Radiance& result, std::uint32_t& at_node);
     void join(std::optional<OneWay>& way, const Path& branch, std::uint32_t branch_node);
-    void resolve_layers(Surface& surface, std::span<const LayerSample> layers, double weight);
+    // Parts of shade(), which every surface goes through.
+    [[gnu::always_inline]] inline void resolve_layers(Surface& surface, std::span<const LayerSample> layers, double weight);
     Rgb local_light(const Surface& surface);
     Rgb film_on_total(const Surface& surface) const;
-    bool pass(const Surface& surface, Path& path, Radiance& result, std::uint32_t& at_node);
+    [[gnu::always_inline]] inline bool pass(const Surface& surface, Path& path, Radiance& result, std::uint32_t& at_node);
     void reflect_layers(const Surface& surface, const Path& path, Radiance& result);
     std::uint32_t start_node(std::uint32_t parent, RayNode::Kind kind, const Path& path, const Rgb& factor, double exponent);
     RayNode* node(std::uint32_t index);

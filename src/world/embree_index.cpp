@@ -7,8 +7,8 @@
 #include <array>
 #include <cfenv>
 #include <limits>
-#include <optional>
 
+#include "core/slots.h"
 #include "world/traveller.h"
 
 namespace rt {
@@ -367,14 +367,14 @@ void EmbreeIndex::nearest(Query& query, Entry entry, const Interval& inside) con
 }
 
 void EmbreeIndex::nearest(std::span<Query* const> queries, std::span<const Interval> inside) const {
-    std::array<std::optional<Traveller>, packet_size> travellers;
+    Slots<Traveller, packet_size> travellers;
     std::array<Traveller*, packet_size> first{};
     alignas(32) std::array<int, packet_size> valid{};
     alignas(32) RTCRayHit8 rays;
     static_assert(packet_size == 8);
     for (unsigned i = 0; i < queries.size(); ++i) {
         valid[i] = -1;
-        first[i] = &travellers[i].emplace(state_->data.frame, *queries[i], inside[i].min);
+        first[i] = &travellers.emplace(i, state_->data.frame, *queries[i], inside[i].min);
         set_ray(rays.ray, packet_size, i, *first[i], search_end(*queries[i], inside[i]));
         rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "core/slots.h"
 #include "world/embree_index.h"
 #include "world/local_frame.h"
 
@@ -142,8 +143,8 @@ std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& r
         for (std::size_t i = 0; i < rays.size(); ++i) found |= std::uint32_t{nearest(rays[i], range, kind, hits[i])} << i;
         return found;
     }
-    std::array<std::optional<Query>, packet_size> queries;
-    std::array<Query*, packet_size> entering;
+    Slots<Query, packet_size> queries;
+    std::array<Query*, packet_size> asked{}, entering;
     std::array<Interval, packet_size> inside;
     std::size_t count = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -151,16 +152,18 @@ std::uint32_t SurfaceIndex::nearest(std::span<const Ray> rays, const Interval& r
         inside[count] = range;
         const auto entry = embree_->enter(rays[i], inside[count]);
         if (entry == EmbreeIndex::Entry::none && listed_.empty() && surfaces_.late.empty()) continue;
-        Query& query = queries[i].emplace(rays[i], range, bit(kind));
+        Query& query = queries.emplace(i, rays[i], range, bit(kind));
+        asked[i] = &query;
         ask_listed(query);
         if (entry == EmbreeIndex::Entry::far) embree_->nearest(query, entry, inside[count]);
         if (entry == EmbreeIndex::Entry::inside) entering[count++] = &query;
     }
     if (count > 0) embree_->nearest(std::span(entering).first(count), inside);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (queries[i] && !surfaces_.late.empty()) ask_late(*queries[i]);
-        if (!queries[i] || !queries[i]->found) continue;
-        hits[i] = queries[i]->best;
+        if (asked[i] == nullptr) continue;
+        if (!surfaces_.late.empty()) ask_late(*asked[i]);
+        if (!asked[i]->found) continue;
+        hits[i] = asked[i]->best;
         found |= 1u << i;
     }
     return found;

@@ -32,7 +32,7 @@ POVRAY_DEPTH = (POVRAY, "max_level_([[std::clamp(options.max_trace_level.value_o
 TRANSMISSION = (COURSE, "if ([[shares.transmission > 0.0]])")
 THROUGH = (POVRAY, "if ([[!through]]) return false;")
 SHADOW_LIT = (COURSE, "way != Vec3(0.0) && [[lit(point, light)]];")
-TRANSMITTED_SHADOW = (LIGHTING, "arriving *= [[shadows_.transmitted(index, at, ray, view.inside, view.log != nullptr ? &answer : nullptr)]];")
+TRANSMITTED_SHADOW = (LIGHTING, "arriving *= [[transmitted(index, view, ray)]];")
 PIGMENT_ON_ENTRY = (COURSE, "CourseRules::beer_density) : [[point.surface.pigment]];")
 # A shadow ray that meets the surface it starts on would do so ten thousand times before it is dark.
 CROSSINGS = (SHADOW, "i < [[most_crossings]]; ++i) {")
