@@ -9,7 +9,17 @@ namespace rt {
 namespace {
 
 constexpr std::size_t max_dimensions = 5;
-constexpr std::size_t max_depth = 100;  ///< of arrays inside arrays
+constexpr std::size_t max_depth = 100;     ///< of arrays inside arrays
+constexpr double index_tolerance = 1e-10;  ///< what subscripts and sizes may lie below a whole number
+
+/// Goes no deeper than one array beyond what is allowed: whoever set an array's element through a macro's parameter was not stopped.
+void measure(const ArrayValue& array, std::size_t level, ArrayExtent& extent) {
+    extent.depth = std::max(extent.depth, level);
+    extent.elements += array.elements.size();
+    if (level > max_depth) return;
+    for (const VariablePtr& element : array.elements)
+        if (const auto* inner = element ? std::get_if<ArrayValue>(&element->value) : nullptr) measure(*inner, level + 1, extent);
+}
 
 VariablePtr copy_of(const VariablePtr& variable) {
     if (!variable) return nullptr;
@@ -20,12 +30,11 @@ VariablePtr copy_of(const VariablePtr& variable) {
 
 }  // namespace
 
-std::size_t count_elements(const ArrayValue& array) {
-    std::size_t count = array.elements.size();
-    if (array.depth == 1) return count;
-    for (const VariablePtr& element : array.elements)
-        if (const auto* inner = element ? std::get_if<ArrayValue>(&element->value) : nullptr) count += count_elements(*inner);
-    return count;
+ArrayExtent Reader::State::extent_of(const Span& place, const ArrayValue& array) {
+    ArrayExtent extent;
+    measure(array, 1, extent);
+    if (extent.depth > max_depth) reader.fail_limit(place, fmt::format("Arrays hold arrays more than {} deep.", max_depth), "");
+    return extent;
 }
 
 void own_elements(Value& value) {
@@ -41,7 +50,7 @@ ArrayValue Reader::State::parse_array() {
         reader.expect('[');
         if (array.sizes.size() == max_dimensions) reader.fail(last, "Too many array dimensions");
         const Span place = reader.peek().span;
-        const double size = std::trunc(Expression(*this).sum_float());
+        const double size = std::trunc(Expression(*this).sum_float() + index_tolerance);
         if (!(size >= 1.0 && size <= 2147483647.0)) reader.fail(since(place), "Invalid dimension size for an array");
         array.sizes.push_back(static_cast<std::size_t>(size));
         if (array.sizes.back() > options.max_array_elements / count)
@@ -74,10 +83,9 @@ void Reader::State::parse_elements(ArrayValue& array, std::size_t dimension, std
 }
 
 void Reader::State::set_element(const Span& place, ArrayValue& array, std::size_t index, VariablePtr value) {
-    if (const auto* inner = std::get_if<ArrayValue>(&value->value)) {
-        array.depth = std::max(array.depth, inner->depth + 1);
-        if (array.depth > max_depth) reader.fail_limit(place, fmt::format("Arrays hold arrays more than {} deep.", max_depth), "");
-    }
+    const auto* const inner = std::get_if<ArrayValue>(&value->value);
+    if (inner && extent_of(place, *inner).depth == max_depth)
+        reader.fail_limit(place, fmt::format("Arrays hold arrays more than {} deep.", max_depth), "");
     const std::string_view kind = kind_of(value->value);
     if (array.kind.empty()) array.kind = kind;
     if (array.kind != kind) reader.fail(place, fmt::format("Attempted to redefine {} as {}.", array.kind, kind));
@@ -95,7 +103,7 @@ std::size_t Reader::State::parse_index(const Variable& variable) {
         reader.expect('[');
         const Span first = reader.peek().span;
         const NestingGuard guard(*this, first);
-        const double i = std::trunc(Expression(*this).sum_float());
+        const double i = Expression(*this).sum_float() + index_tolerance;
         const Span place = since(first);
         reader.expect(']');
         const auto* const array = std::get_if<ArrayValue>(&variable.value);

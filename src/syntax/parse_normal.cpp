@@ -108,7 +108,7 @@ Normal parse_normal_body(Reader& reader, const Normal* base) {
     return normal;
 }
 
-Shared<Normal> parse_normal(Reader& reader, const std::optional<Shared<Normal>>& base) {
+Shared<Normal> parse_normal(Reader& reader, std::optional<Shared<Normal>> base) {
     reader.begin_block("normal");
     Normal normal = parse_normal_body(reader, base ? &**base : nullptr);
     reader.end_block();

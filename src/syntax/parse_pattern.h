@@ -38,7 +38,7 @@ Shared<SlopeMap> parse_slope_map(Reader& reader);
 Pigment parse_pigment_body(Reader& reader, Pigment base);
 Normal parse_normal_body(Reader& reader, const Normal* base);
 /// `normal { }` after its word; edits `base` if there is one.
-Shared<Normal> parse_normal(Reader& reader, const std::optional<Shared<Normal>>& base);
+Shared<Normal> parse_normal(Reader& reader, std::optional<Shared<Normal>> base);
 
 /// `image_map { }` after its word.
 Shared<ImageMap> parse_image_map(Reader& reader);

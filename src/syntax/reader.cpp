@@ -155,7 +155,10 @@ std::optional<Value> Reader::accept_any_declared() {
 }
 
 Value Reader::State::copy_of(const Span& place, const Value& value) {
-    if (const auto* array = std::get_if<ArrayValue>(&value)) count_replay(place, (array->depth == 1 ? 16 : 128) * count_elements(*array));
+    if (const auto* array = std::get_if<ArrayValue>(&value)) {
+        const ArrayExtent extent = extent_of(place, *array);
+        count_replay(place, (extent.depth == 1 ? 16 : 128) * extent.elements);
+    }
     Value copy = value;
     own_elements(copy);
     return copy;

@@ -98,6 +98,8 @@ struct Reader::State : Reader::Cursor {
     [[noreturn]] void fail_memory(const Span& place);
     /// A copy that shares nothing with `value`; what it costs is counted.
     Value copy_of(const Span& place, const Value& value);
+    /// Fails where arrays lie too deep in each other.
+    ArrayExtent extent_of(const Span& place, const ArrayValue& array);
 
     // --- switch.cpp
     void begin_switch(const Span& place);

@@ -148,7 +148,7 @@ std::string Expression::formatted_float(double x, const Span& place) {
 
 /// vstr(count, vector, separator, width, precision): from two to five components.
 std::string Expression::formatted_vector(const Span& place) {
-    const double count = std::clamp(sum_float(), 2.0, 5.0);
+    const double count = std::fmin(std::fmax(sum_float(), 2.0), 5.0);
     reader_.accept_comma();
     Number n = sum();
     if (n.size == 1) n.v.fill(n.v[0]);

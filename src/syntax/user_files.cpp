@@ -198,6 +198,7 @@ void Reader::State::read_file(const Span& place) {
         if (name.kind != Token::Kind::identifier)
             reader.fail(name.span, fmt::format("Expected 'undeclared identifier', {} found instead", reader.describe(name)));
         const VariablePtr known = names.find(name.text);
+        if (known) require_redeclarable(name, known->value);
         std::optional<std::size_t> index;
         if (known && std::holds_alternative<ArrayValue>(known->value) && raw_next_is('[')) index = parse_index(*known);
         FileReader input(reader, *file->lexer);

@@ -89,7 +89,6 @@ struct ArrayValue {
     std::vector<std::size_t> sizes;
     std::vector<VariablePtr> elements;
     std::string_view kind;  ///< of all elements, as `kind_of` names it; empty until one is set
-    std::size_t depth = 1;  ///< of arrays inside arrays
 };
 
 struct Function;
@@ -135,7 +134,10 @@ std::string_view kind_of(const Value& value);
 
 /// Gives an array that was copied elements of its own; of other values nothing is shared.
 void own_elements(Value& value);
-/// Elements that have a value, those of arrays inside it included; and places for one.
-std::size_t count_elements(const ArrayValue& array);
+/// How large an array is.
+struct ArrayExtent {
+    std::size_t elements = 0;  ///< places for one, those of arrays inside it included
+    std::size_t depth = 1;     ///< of arrays inside arrays
+};
 
 }  // namespace rt

@@ -56,6 +56,14 @@ TEST(Array, ElementsStandWhereValuesOfTheirKindDo) {
     EXPECT_EQ(color(3), Rgb(0, 0, 1));
 }
 
+TEST(Array, WhatLiesCloseBelowAWholeNumberIsThatNumber) {
+    EXPECT_EQ(debug_text("#declare A=array[11] #for(I,0,1,0.1) #declare A[I*10]=1; #end #for(I,0,10) #debug str(A[I],0,0) #end"),
+              "11111111111");
+    EXPECT_EQ(debug_text("#declare A=array[2.99999999999] #debug str(dimension_size(A,1),0,0)"), "3");
+    EXPECT_EQ(debug_text("#declare A=array[2.999999999] #debug str(dimension_size(A,1),0,0)"), "2");
+    EXPECT_EQ(error_text("#declare A=array[2]{1,2} #declare B=A[-0.5];"), "Negative subscript");
+}
+
 TEST(Array, MistakesAreNamedAsPovRayNamesThem) {
     const Cases mistakes{
         {"#declare A=array[3] #debug str(A[1],0,0)", "Attempt to access uninitialized array element."},

@@ -153,6 +153,13 @@ TEST(TextureBlock, ColoursBelongInAPigment) {
               "Keyword 'color' can only be used in a pigment or density statement.");
 }
 
+TEST(DefaultBlock, MayChangeWhileANormalIsReadThatBeganAsTheOldOne) {
+    const Object o = only(
+        "#default { texture { normal { wrinkles 1 } } } #declare N = normal #default { texture { pigment { rgb 1 } } } { bumps 2 } "
+        "sphere { 0, 1 pigment { rgb 0.5 } normal { N } }");
+    EXPECT_EQ(color_of(o).rgb, Rgb(0.5));
+}
+
 TEST(DefaultBlock, HasOneLayerTheLastOneStated) {
     const Object o = only("#default { texture { pigment { rgb 1 } } texture { pigment { rgbt <0,1,0,0.5> } } } sphere { 0, 1 }");
     ASSERT_EQ((*o.texture)->size(), 1u);

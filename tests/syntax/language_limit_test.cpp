@@ -66,6 +66,12 @@ TEST(LanguageLimit, ArraysAndFilesAreLimited) {
     EXPECT_EQ(read_scene("#declare A=array[10][100]", options).error, "");
     EXPECT_THAT(limit_text("#declare A=array[1]{1} #for(I,0,999) #declare B=array[1]{A} #declare A=B #end", options),
                 testing::HasSubstr("Arrays hold arrays more than 100 deep."));
+    EXPECT_THAT(limit_text("#macro Push(P,N) #if(N) #declare P=array[1]{0} Push(P[0],N-1) #end #end "
+                           "#declare A=array[1]{0} Push(A[0],200) #declare B=A",
+                           options),
+                testing::HasSubstr("Arrays hold arrays more than 100 deep."));
+    EXPECT_THAT(limit_text("#declare A=array[3]{1,2,3} #macro Set(P) #declare P=A; #end #while(1) Set(A[0]) #end", options),
+                testing::HasSubstr("Arrays hold arrays more than 100 deep."));
     EXPECT_THAT(limit_text("#fopen F \"o\" write #while(1) #write(F,\"0123456789\") #end", options),
                 testing::HasSubstr("The scene writes more than 1000 bytes. --limit written=N allows more."));
     limit_text("#fopen F \"o\" write #write(F,\"0123456789\") #while(1) #fopen G \"o\" read #end", options);

@@ -63,6 +63,8 @@ TEST(UserFile, FormatsNumbersAsPovRayDoes) {
 
 TEST(UserFile, MistakesAreNamedAsPovRayNamesThem) {
     const std::vector<std::pair<const char*, const char*>> mistakes{
+        {"#macro M(A,B) #end #fopen F \"numbers.txt\" read M(#read(F,M) 1,2)",
+         "Expected 'undeclared identifier', macro identifier found instead"},
         {"#fopen F \"nope.txt\" read", "Cannot open user file nope.txt (read)."},
         {"#read(F,V)", "Expected 'file identifier', undeclared identifier 'F' found instead"},
         {"#write(F,1)", "Expected 'file identifier', undeclared identifier 'F' found instead"},
