@@ -105,7 +105,7 @@ int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 
 bool BlobComponent::operator==(const BlobComponent& other) const {
     return base == other.base && cap == other.cap && radius == other.radius && strength == other.strength && to_own == other.to_own &&
-           own_offset == other.own_offset;
+           own_offset == other.own_offset && texture == other.texture;
 }
 
 void find_hits(const Blob& shape, const Ray& ray, HitSink& sink) {
@@ -161,6 +161,22 @@ Bounds bounds(const Blob& shape) {
     Bounds box;
     for (const BlobComponent& component : shape.data->components) box.extend(component.box);
     return box;
+}
+
+void texture_weights(const Blob& shape, const Vec3& point, double least, std::vector<TextureWeight>& out) {
+    const std::size_t first = out.size();
+    double sum = 0.0;
+    for (const BlobComponent& component : shape.data->components) {
+        const Near at = near(component, point);
+        if (!(at.closeness > 0.0)) continue;
+        out.push_back({component.texture, std::fabs(component.strength) * sqr(at.closeness)});
+        sum += out.back().weight;
+    }
+    const auto fields = out.begin() + static_cast<std::ptrdiff_t>(first);
+    out.erase(std::remove_if(fields, out.end(), [&](const TextureWeight& field) { return field.weight / sum < least; }), out.end());
+    join_textures(out, first);
+    // Divided last: a texture that is alone there has all of the light.
+    for (std::size_t i = first; i < out.size(); ++i) out[i].weight /= sum;
 }
 
 }  // namespace rt

@@ -5,6 +5,7 @@
 
 #include "core/shared.h"
 #include "geometry/hit_sink.h"
+#include "geometry/texture_weight.h"
 
 namespace rt {
 
@@ -13,8 +14,9 @@ struct BlobComponent {
     Vec3 base{0.0}, cap{0.0};  ///< equal for a sphere
     double radius = 1.0;
     double strength = 1.0;
-    bool moved = false;  ///< false: the two maps are identities
-    Mat3 to_own{1.0};    ///< from the blob's space: p -> to_own p + own_offset
+    bool moved = false;                                ///< false: the two maps are identities
+    std::uint32_t texture = TextureWeight::of_object;  ///< one of those that the blob states, by its number
+    Mat3 to_own{1.0};                                  ///< from the blob's space: p -> to_own p + own_offset
     Vec3 own_offset{0.0};
     Bounds box;  ///< in the blob's space
     bool operator==(const BlobComponent&) const;
@@ -39,5 +41,8 @@ void find_hits(const Blob& shape, const Ray& ray, HitSink& sink);
 Vec3 normal(const Blob& shape, const Vec3& point, const ShapeHit& hit);
 bool contains(const Blob& shape, const Vec3& point);
 Bounds bounds(const Blob& shape);
+/// Appends what shows at a point of the surface, each texture once: that of a component by the share of its field, of either sign, in the
+/// sum of all that act there; of components whose share is not below `least`.
+void texture_weights(const Blob& shape, const Vec3& point, double least, std::vector<TextureWeight>& out);
 
 }  // namespace rt

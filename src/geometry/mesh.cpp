@@ -1,7 +1,5 @@
 #include "geometry/mesh.h"
 
-#include <algorithm>
-
 namespace rt {
 
 Bounds bounds(const Mesh& shape) {
@@ -24,17 +22,10 @@ void texture_weights(const FaceTextures& textures, std::size_t face, const Shape
         return;
     }
     const std::array<double, 3> weights{1.0 - hit.u - hit.v, hit.u, hit.v};
-    const auto first = static_cast<std::ptrdiff_t>(out.size());
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        if (weights[corner] < least) continue;
-        const std::uint32_t number = numbers[corner];
-        const auto known =
-            std::find_if(out.begin() + first, out.end(), [number](const TextureWeight& other) { return other.texture == number; });
-        if (known == out.end())
-            out.push_back({number, weights[corner]});
-        else
-            known->weight += weights[corner];
-    }
+    const std::size_t first = out.size();
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        if (!(weights[corner] < least)) out.push_back({numbers[corner], weights[corner]});
+    join_textures(out, first);
 }
 
 }  // namespace rt

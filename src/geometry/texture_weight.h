@@ -1,7 +1,9 @@
 // Of a shape whose parts have textures of their own: what of them shows at a point.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace rt {
 
@@ -12,5 +14,8 @@ struct TextureWeight {
     double weight = 1.0;  ///< its share of the light
     bool operator==(const TextureWeight&) const = default;
 };
+
+/// Makes one of those from number `first` on that are of the same texture.
+void join_textures(std::vector<TextureWeight>& weights, std::size_t first);
 
 }  // namespace rt

@@ -11,14 +11,9 @@ namespace rt {
 
 namespace {
 
-void settle(Reader& reader, std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always) {
-    if (layers && motion && (always || has_any_pattern(*layers))) move_layers(reader, *layers, *motion);
-    motion.reset();
-}
-
 void settle(Reader& reader, Draft& draft, bool always) {
-    settle(reader, draft.object.texture, draft.texture_motion, always);
-    settle(reader, draft.object.interior_texture, draft.interior_texture_motion, always);
+    settle_motion(reader, draft.object.texture, draft.texture_motion, always);
+    settle_motion(reader, draft.object.interior_texture, draft.interior_texture_motion, always);
 }
 
 // What follows is asked for in turn, each with a frame of its own: blocks stand inside blocks, and what one of these needs for its values

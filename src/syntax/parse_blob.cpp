@@ -1,11 +1,20 @@
 // blob { }
+#include "syntax/blocks.h"
 #include "syntax/parameters.h"
 #include "syntax/parse_shape.h"
-#include "syntax/unmodelled.h"
+#include "syntax/texture_layers.h"
+#include "syntax/texture_numbers.h"
 
 namespace rt {
 
 namespace {
+
+/// A component while it is read.
+struct ComponentDraft {
+    BlobComponent component;
+    std::optional<TextureLayers> texture;
+    std::optional<Transform> texture_motion;
+};
 
 /// The commas and the word that may come before a strength.
 double parse_strength(Reader& reader) {
@@ -14,30 +23,43 @@ double parse_strength(Reader& reader) {
     return reader.parse_float();
 }
 
-/// Transforms move one component alone.
-void parse_component_modifiers(Reader& reader, BlobComponent& component) {
+bool accept_texture(Reader& reader, ComponentDraft& draft) {
+    const Token next = reader.peek();
+    if (!next.is(Word::texture) && !next.is(Word::pigment) && !next.is(Word::normal) && !next.is(Word::finish)) return false;
+    settle_motion(reader, draft.texture, draft.texture_motion, true);
+    if (reader.accept(Word::texture))
+        parse_texture(reader, draft.texture);
+    else
+        accept_layer_part(reader, draft.texture);
+    return true;
+}
+
+/// Transforms move one component alone, and what it has of a texture by then.
+void parse_component_modifiers(Reader& reader, ComponentDraft& draft) {
     std::optional<Transform> moved;
     for (;;) {
         if (const std::optional<Transform> next = accept_transforms(reader)) {
             append(moved, *next);
-            continue;
+            if (draft.texture) append(draft.texture_motion, *next);
+        } else if (!accept_texture(reader, draft)) {
+            break;
         }
-        const Token word = reader.peek();
-        if (!word.is(Word::texture) && !word.is(Word::pigment) && !word.is(Word::normal) && !word.is(Word::finish)) break;
-        reader.take();
-        reader.unmodelled(word.span, "texture of a blob component");
-        skip_inner_block(reader);
     }
+    settle_motion(reader, draft.texture, draft.texture_motion, false);
     if (!moved) return;
+    BlobComponent& component = draft.component;
     component.moved = true;
     component.to_own = moved->inverse_linear;
     component.own_offset = moved->inverse_offset;
     component.box = moved->bounds(component.box);
 }
 
-void add_component(std::vector<BlobComponent>& components, BlobComponent component) {
+void add_component(std::vector<BlobComponent>& components, TextureNumbers& textures, ComponentDraft draft) {
+    BlobComponent& component = draft.component;
     component.radius = std::fabs(component.radius);
-    if (component.radius > 0.0 && component.strength != 0.0) components.push_back(component);
+    if (!(component.radius > 0.0) || component.strength == 0.0) return;
+    if (draft.texture) component.texture = textures.number_of(*draft.texture);
+    components.push_back(component);
 }
 
 Bounds around(const BlobComponent& component) {
@@ -45,8 +67,9 @@ Bounds around(const BlobComponent& component) {
     return rounded_outward({glm::min(component.base, component.cap) - r, glm::max(component.base, component.cap) + r});
 }
 
-BlobComponent parse_block(Reader& reader, bool cylinder) {
-    BlobComponent component;
+ComponentDraft parse_block(Reader& reader, bool cylinder) {
+    ComponentDraft draft;
+    BlobComponent& component = draft.component;
     reader.begin_block(cylinder ? "cylinder" : "sphere");
     component.base = component.cap = reader.parse_vector();
     if (cylinder) {
@@ -58,27 +81,29 @@ BlobComponent parse_block(Reader& reader, bool cylinder) {
     component.radius = reader.parse_float();
     component.strength = parse_strength(reader);
     component.box = around(component);
-    parse_component_modifiers(reader, component);
+    parse_component_modifiers(reader, draft);
     reader.end_block();
-    return component;
+    return draft;
 }
 
 /// The old form: strength, radius, centre.
-BlobComponent parse_old_component(Reader& reader) {
-    BlobComponent component;
+ComponentDraft parse_old_component(Reader& reader) {
+    ComponentDraft draft;
+    BlobComponent& component = draft.component;
     component.strength = reader.parse_float();
     reader.accept_comma();
     component.radius = reader.parse_float();
     reader.accept_comma();
     component.base = component.cap = reader.parse_vector();
     component.box = around(component);
-    return component;
+    return draft;
 }
 
 }  // namespace
 
 ParsedShape parse_blob(Reader& reader) {
     BlobData blob;
+    TextureNumbers textures;
     bool any = false;
     for (;;) {
         if (reader.accept(Word::threshold)) {
@@ -86,18 +111,18 @@ ParsedShape parse_blob(Reader& reader) {
             continue;
         }
         if (reader.accept(Word::sphere))
-            add_component(blob.components, parse_block(reader, false));
+            add_component(blob.components, textures, parse_block(reader, false));
         else if (reader.accept(Word::cylinder))
-            add_component(blob.components, parse_block(reader, true));
+            add_component(blob.components, textures, parse_block(reader, true));
         else if (reader.accept(Word::component))
-            add_component(blob.components, parse_old_component(reader));
+            add_component(blob.components, textures, parse_old_component(reader));
         else
             break;
         any = true;
     }
     if (!any) reader.fail(reader.peek().span, "Need at least one component in a blob.");
     if (blob.components.empty()) return std::nullopt;
-    return Blob{std::move(blob)};
+    return {Blob{std::move(blob)}, textures.take()};
 }
 
 }  // namespace rt

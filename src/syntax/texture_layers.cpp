@@ -96,6 +96,11 @@ void move_layers(Reader& reader, Shared<std::vector<TextureLayers>>& textures, c
         if (has_any_pattern(layers)) move_layers(reader, layers, t);
 }
 
+void settle_motion(Reader& reader, std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always) {
+    if (layers && motion && (always || has_any_pattern(*layers))) move_layers(reader, *layers, *motion);
+    motion.reset();
+}
+
 bool is_patterned(const TextureLayers& layers) {
     return !layers->empty() && std::holds_alternative<Shared<PatternTexture>>(layers->back().content);
 }

@@ -18,6 +18,8 @@ void transform_layers(Reader& reader, TextureLayers& layers, const Transform& t)
 void move_layers(Reader& reader, TextureLayers& layers, const Transform& t);
 /// The same for several textures, of which those that look the same everywhere stay as they are.
 void move_layers(Reader& reader, Shared<std::vector<TextureLayers>>& textures, const Transform& t);
+/// Moves a texture by what has gathered in `motion`, if there is any: `always`, or where it would look different.
+void settle_motion(Reader& reader, std::optional<TextureLayers>& layers, std::optional<Transform>& motion, bool always);
 bool is_patterned(const TextureLayers& layers);     ///< a pattern of textures
 bool has_any_pattern(const TextureLayers& layers);  ///< does it look different when it is moved?
 Pigment default_pigment(Reader& reader);

@@ -122,7 +122,8 @@ TEST(Blobs, Errors) {
     EXPECT_EQ(error_of("blob { cylinder { 0, 0, 1, 1 } }"), "Degenerate cylindrical component in blob.");
     EXPECT_EQ(error_of("blob { sphere { 0, 1, 1 no_shadow } }"), "No matching } in 'sphere', no_shadow found instead");
     EXPECT_EQ(error_of("blob { component 1,1,0 pigment { rgb 1 } component 1,1,0 }"), "No matching } in 'blob', component found instead");
-    EXPECT_EQ(error_of("blob { sphere { 0, 1, 1 pigment { rgb 1 } } }"), "'texture of a blob component' is not modelled.");
+    EXPECT_EQ(error_of("blob { sphere { 0, 1, 1 interior_texture { pigment { rgb 1 } } } }"),
+              "No matching } in 'sphere', interior_texture found instead");
 }
 
 TEST(Superellipsoids, Exponents) {
