@@ -32,11 +32,15 @@ struct SetNode {
     /// An `all` of an object, first, and what it is clipped by: its inverse is the inverse of the object, clipped by the same.
     bool clips = false;
     bool inverse = false;     ///< of a `bounded` one: turned inside out, which its bounds do not feel
-    bool cutaway = false;     ///< an `all` whose parts without a texture have that of the parts that they cut
+    bool cutaway = false;     ///< an `all`: parts without a texture show those of the parts that they cut
+    bool taken = false;       ///< taken away by a difference, or in what is: its texture shows on no part that cuts
+    bool cuts = false;        ///< a surface that shows at each point those of its object's textures whose parts contain the point
     std::uint32_t index = 0;  ///< of the object, counted from the set's first one, or of the solid
     std::uint32_t size = 1;   ///< nodes from this one to the end of its parts
     /// `Object::medium` of the interior of the set as a whole; 0: a shape that is no set.
     std::uint32_t medium = 0;
+    /// Of a surface whose texture shows where its set is cut: its number among the textures of the objects that cut.
+    std::uint32_t texture = TextureWeight::of_object;
     bool operator==(const SetNode&) const = default;
 };
 

@@ -123,7 +123,7 @@ void place_set(Reader& reader, ObjectValue value) {
     const Span place = reader.last_place();
     Parts parts = resolved(std::move(value));
     reader.count_parts(place, size_of(parts));
-    if (cut_textures(parts) > 0) reader.unmodelled(place, "cutaway_textures that cut several textures");
+    cut_textures(parts, reader.default_texture());
     shift_light_groups(parts, scene.light_groups);
     parts.set.first_object = static_cast<std::uint32_t>(scene.objects.size());
     for (SetNode& node : parts.set.nodes)

@@ -144,7 +144,10 @@ SetValue empty_set(SetValue::Kind kind) {
 
 void add_part(SetValue& set, Parts part, bool inverted) {
     Parts& parts = set.parts;
-    if (inverted) invert(part.objects, part.set, 0);
+    if (inverted) {
+        invert(part.objects, part.set, 0);
+        for (SetNode& node : part.set.nodes) node.taken = true;
+    }
     SetNode& root = parts.set.nodes.front();
     const SetNode& top = part.set.nodes.front();
     const std::size_t first = top.kind == root.kind && !top.clips && !top.cutaway ? 1 : 0;  // a union in a union is no node of its own
@@ -262,27 +265,6 @@ std::size_t depth(const ObjectSet& set) {
         deepest = std::max(deepest, open.size());
     }
     return deepest;
-}
-
-std::size_t cut_textures(Parts& parts) {
-    std::size_t unclear = 0;
-    const std::vector<SetNode>& nodes = parts.set.nodes;
-    for (std::size_t whole = 0; whole < nodes.size(); ++whole) {
-        if (!nodes[whole].cutaway) continue;
-        std::vector<TextureLayers> cut;
-        for (std::size_t i = whole + 1; i < whole + nodes[whole].size; ++i) {
-            if (nodes[i].kind != NodeKind::surface) continue;
-            const Object& object = parts.objects[nodes[i].index];
-            if (object.texture && !object.inverse && std::find(cut.begin(), cut.end(), *object.texture) == cut.end())
-                cut.push_back(*object.texture);
-        }
-        for (std::size_t i = whole + 1; i < whole + nodes[whole].size; i += nodes[i].size) {
-            if (nodes[i].kind != NodeKind::surface || parts.objects[nodes[i].index].texture) continue;
-            if (cut.size() > 1) ++unclear;
-            if (!cut.empty()) parts.objects[nodes[i].index].texture = cut.front();
-        }
-    }
-    return unclear;
 }
 
 std::vector<ObjectSet> separate_sets(const ObjectSet& set) {

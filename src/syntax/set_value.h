@@ -33,9 +33,9 @@ Bodies bodies_of(Parts parts);
 bool has_texture(const Parts& parts);
 /// A light, or a surface without inside; polygons do not count.
 bool has_patch(const Parts& parts);
-/// Gives parts without a texture that of what they cut, in sets that ask for it. Returns the number of those that cut several textures,
-/// which have the first of them.
-std::size_t cut_textures(Parts& parts);
+/// Gives parts without a texture those of what they cut, in sets that ask for it. Parts that have none then, which may be cut as well, are
+/// to have `other`.
+void cut_textures(Parts& parts, const TextureLayers& other);
 /// How many bodies there are in it, lights and what they are projected through included.
 std::size_t size_of(const Parts& parts);
 Mask mask_of(Parts parts);

@@ -81,6 +81,9 @@ void Surfaces::add_bodies(const ObjectSet& set, std::uint32_t first_solid) {
         body.end = at + node.size;
         body.medium = node.medium;
         body.inverse = node.inverse;
+        body.clips = node.clips;
+        body.cuts = node.cuts;
+        body.texture = node.texture;
         if (node.kind == SetNode::Kind::surface || node.kind == SetNode::Kind::solid) {
             body.object = (node.kind == SetNode::Kind::surface ? set.first_object : first_solid) + node.index;
             body.box = holds_its_inside(body.object) ? shape_bounds(body.object) : Bounds::everything();

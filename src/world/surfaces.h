@@ -80,10 +80,13 @@ struct Body {
     std::uint32_t object = 0;  ///< of a shape
     std::uint32_t medium = 0;  ///< `SetNode::medium`
     bool inverse = false;      ///< of a bounded one that was turned inside out: its bounds are around what is not it
-    Bounds box;                ///< around it; of an inverse shape around what is not it
+    bool clips = false;        ///< `SetNode::clips`, and so on
+    bool cuts = false;
+    Bounds box;  ///< around it; of an inverse shape around what is not it
     /// A ray that misses this box misses the body, however far the body reaches: POV-Ray's box around it.
     Bounds gate = Bounds::everything();
     bool bounds_count = false;  ///< of a bounded one: a ray has to meet its bounds themselves, too
+    std::uint32_t texture = TextureWeight::of_object;
 };
 
 /// Objects of a set that reach out of its gate. POV-Ray asks bodies in the order in which a ray enters their boxes, and none whose box
@@ -196,6 +199,10 @@ struct Surfaces {
     /// The body that is the whole set of a part; none for other objects.
     std::uint32_t set_of(std::uint32_t object) const;
 
+    /// False for an object that does not show what it cuts. For others appends which textures of the parts of its set show at a point of
+    /// its surface: of those that contain the point, in equal shares, none if these are below `least`.
+    bool cut_weights(std::uint32_t object, const Vec3& point, double least, std::vector<TextureWeight>& out) const;
+
     /// The same as `test` for one triangle of a part, whoever sees it.
     bool test_part_face(std::uint32_t face, Query& query) const;
 
@@ -225,6 +232,7 @@ private:
     bool has_boundary(std::uint32_t body, const Query& query, const Interval& range) const;
     bool bounds_set(const Part& part, const Ray& ray, double t, const Vec3& normal, double& aside) const;
     bool holds(std::uint32_t body, const Vec3& point) const;
+    bool add_shown(std::uint32_t body, std::uint32_t own, const Vec3& point, std::vector<TextureWeight>& out) const;
     bool body_contains(std::uint32_t object, const Vec3& point) const;
     bool shape_contains(std::uint32_t object, const Vec3& point) const;
 };

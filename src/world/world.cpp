@@ -36,7 +36,9 @@ Vec2 World::uv(const Hit& hit, const Vec3& point) const {
 }
 
 void World::texture_weights(const Hit& hit, const Vec3& point, double least, std::vector<TextureWeight>& out) const {
-    const std::uint32_t face = hit.primitive - surfaces->surfaces().objects[hit.object].first_primitive;
+    const Surfaces& all = surfaces->surfaces();
+    if (all.cut_weights(hit.object, point, least, out)) return;
+    const std::uint32_t face = hit.primitive - all.objects[hit.object].first_primitive;
     rt::texture_weights(frames[objects[hit.object].frame], point, face, hit.shape, least, out);
 }
 

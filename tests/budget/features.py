@@ -16,7 +16,7 @@ FEATURES = {
                      "trace/shadow.cpp:through_transparent", "trace/shadow.cpp:filtered", "trace/shadow.cpp:fade"],
     "patterns": ["patterns/checker.h"],
     "textures of parts": ["trace/surface_layers.cpp:blend", "geometry/mesh.cpp:texture_weights", "geometry/blob.cpp:texture_weights",
-                          "geometry/texture_weight.cpp"],
+                          "geometry/texture_weight.cpp", "world/cut_textures.cpp"],
     "area lights": ["trace/area_average.h", "trace/shadow.cpp:area"],
     "mirrors": ["trace/recursion.cpp:reflectivity", "shading/optics.h:fresnel_reflectance", "shading/povray_finish.h:angular_reflectivity"],
     "highlights": ["shading/kernels.cpp:fixed_highlight", "shading/half_geometry.h", "trace/lighting.cpp:catalogue_highlight"],
