@@ -1,7 +1,6 @@
 #include "world/compile_pigment.h"
 
 #include <algorithm>
-#include <map>
 
 #include "scene/function_source.h"
 #include "world/body_probe.h"
@@ -61,6 +60,12 @@ private:
 };
 
 }  // namespace
+
+std::shared_ptr<const ObjectProbe> ProbeTable::at(const Shared<Bodies>& bodies) {
+    const auto known = known_.find(bodies.identity());
+    if (known != known_.end()) return known->second.probe;
+    return known_.emplace(bodies.identity(), Known{bodies, make_body_probe(*bodies)}).first->second.probe;
+}
 
 PatternDefaults pattern_defaults(const Scene& scene) {
     PatternDefaults defaults;
@@ -137,7 +142,7 @@ PatternNode compile_pattern(const StatedPattern& stated, const PatternDefaults& 
     if (const auto* function = std::get_if<std::shared_ptr<const Function>>(&stated.source))
         node.function = compile_function(*function, defaults);
     if (const auto* pigment = std::get_if<Shared<Pigment>>(&stated.source)) node.grey = compile_pigment(**pigment, defaults, false);
-    if (const auto* bodies = std::get_if<Shared<Bodies>>(&stated.source)) node.bodies = make_body_probe(**bodies);
+    if (const auto* bodies = std::get_if<Shared<Bodies>>(&stated.source)) node.bodies = defaults.probes->at(*bodies);
     return node;
 }
 

@@ -1,14 +1,32 @@
 // Stated patterns, pigments and normals -> nodes.
 #pragma once
 
+#include <map>
+
+#include "scene/object_probe.h"
 #include "world/normal_node.h"
 
 namespace rt {
 
-/// What patterns take from the scene where they state nothing of their own.
+/// What answers for the bodies of object patterns, each made once however many patterns ask for it.
+class ProbeTable {
+public:
+    /// Throws LimitError where the bodies are too many.
+    std::shared_ptr<const ObjectProbe> at(const Shared<Bodies>& bodies);
+
+private:
+    struct Known {
+        Shared<Bodies> bodies;  ///< kept, so that no others come to lie at its address
+        std::shared_ptr<const ObjectProbe> probe;
+    };
+    std::map<const Bodies*, Known> known_;
+};
+
+/// What patterns take from the scene where they state nothing of their own, and what those of one scene share.
 struct PatternDefaults {
     NoiseGenerator noise = NoiseGenerator::range_corrected;
     std::optional<std::vector<WaveSource>> sources;  ///< of ripples and waves; unset: those the pattern has
+    std::shared_ptr<ProbeTable> probes = std::make_shared<ProbeTable>();
 };
 
 PatternDefaults pattern_defaults(const Scene& scene);

@@ -3,78 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+
+#include "world/texture_hash.h"
 
 namespace rt {
 
 namespace {
-
-/// Combines numbers into a hash; equal values give equal hashes, zeros of both signs included.
-class Hash {
-public:
-    Hash& operator<<(double x) { return mix(std::bit_cast<std::uint64_t>(x == 0.0 ? 0.0 : x)); }
-    Hash& operator<<(const Vec3& v) { return *this << v.x << v.y << v.z; }
-    Hash& mix(std::uint64_t bits) {
-        state_ = (state_ ^ bits) * 0x9e3779b97f4a7c15u;
-        state_ ^= state_ >> 29;
-        return *this;
-    }
-    std::size_t value() const { return state_; }
-
-private:
-    std::uint64_t state_ = 0x243f6a8885a308d3u;
-};
-
-void hash_color(Hash& hash, const PigmentColor& c) { hash << c.rgb << c.filter << c.transmit; }
-
-void hash_optional(Hash& hash, const std::optional<double>& x) { hash.mix(x.has_value()) << x.value_or(0.0); }
-
-void hash_transform(Hash& hash, const std::optional<Transform>& t) {
-    if (t) hash << t->linear[0] << t->linear[1] << t->linear[2] << t->offset;
-}
-
-/// Not all of it: what objects with textures of their own mostly differ in.
-void hash_pattern(Hash& hash, const StatedPattern& stated) {
-    const Pattern& pattern = stated.pattern;
-    hash.mix(static_cast<std::uint64_t>(pattern.kind)).mix(pattern.warps.size());
-    for (const Warp& warp : pattern.warps)
-        if (const auto* t = std::get_if<Transform>(&warp)) hash << t->linear[0] << t->linear[1] << t->linear[2] << t->offset;
-}
-
-void hash_pigment(Hash& hash, const Pigment& pigment) {
-    hash_transform(hash, pigment.transform);
-    if (pigment.quick_color) hash_color(hash, *pigment.quick_color);
-    if (const auto* color = std::get_if<PigmentColor>(&pigment.content)) return hash_color(hash, *color);
-    const PatternPigment& patterned = *std::get<Shared<PatternPigment>>(pigment.content);
-    hash_pattern(hash, patterned.pattern);
-    if (const auto* colors = std::get_if<Shared<ColorMap>>(&patterned.map))
-        for (const PigmentColor& color : (*colors)->colors) hash_color(hash, color);
-    if (const auto* pigments = std::get_if<Shared<PigmentMap>>(&patterned.map))
-        for (const Pigment& entry : (*pigments)->pigments) hash_pigment(hash, entry);
-}
-
-void hash_finish(Hash& hash, const Finish& f) {
-    hash << f.ambient << f.emission << f.diffuse << f.diffuse_back << f.brilliance << f.phong << f.phong_size << f.specular << f.metallic
-         << f.reflection.min << f.reflection.max << f.reflection.falloff << f.reflection.exponent << f.reflection.metallic << f.crand;
-    hash.mix(f.reflection.fresnel).mix(f.conserve_energy);
-    for (const std::optional<double>& x : {f.roughness, f.ior, f.refraction, f.caustics}) hash_optional(hash, x);
-    for (const SceneOption& option : f.options) hash.mix(option.span.file).mix(option.span.begin);
-}
-
-void hash_layers(Hash& hash, const std::vector<Texture>& layers) {
-    hash.mix(layers.size());
-    for (const Texture& texture : layers) {
-        if (const auto* plain = std::get_if<PlainTexture>(&texture.content)) {
-            hash_pigment(hash, plain->pigment);
-            hash_finish(hash, plain->finish);
-            if (plain->normal) hash_pattern(hash, (*plain->normal)->pattern);
-        } else {
-            const PatternTexture& patterned = *std::get<Shared<PatternTexture>>(texture.content);
-            hash_pattern(hash, patterned.pattern);
-            for (const TextureLayers& entry : patterned.map->textures) hash_layers(hash, *entry);
-        }
-    }
-}
 
 template <typename T>
 bool same(const T* a, const T* b) {
@@ -223,11 +157,10 @@ void MaterialTable::add_shape_textures(const Origin& origin, const Span& span, M
 std::size_t MaterialTable::hash(const TextureLayers& layers) {
     const auto known = hashes_.find(layers.identity());
     if (known != hashes_.end()) return known->second;
-    Hash hash;
-    hash_layers(hash, *layers);
+    const std::size_t hash = content_hash(*layers);
     const auto* only = layers->size() == 1 ? std::get_if<PlainTexture>(&layers->front().content) : nullptr;
-    if (!only || !std::holds_alternative<PigmentColor>(only->pigment.content)) hashes_.emplace(layers.identity(), hash.value());
-    return hash.value();
+    if (!only || !std::holds_alternative<PigmentColor>(only->pigment.content)) hashes_.emplace(layers.identity(), hash);
+    return hash;
 }
 
 std::uint32_t MaterialTable::add(const Object& object) {

@@ -47,10 +47,8 @@ bool Surfaces::test_part(std::uint32_t object, Query& query) const {
     const Surface& s = objects[object];
     const Part& part = parts[s.part];
     if (part.gated && !passes(part.body, query.ray)) return false;
-    Interval range = query.range;
-    if (query.found) range.max = std::fmin(range.max, std::nextafter(query.best.shape.t, infinity));
     bool better = false;
-    visit_part(*this, object, query.ray, range, [&](const ShapeHit& hit, const Vec3& normal) {
+    visit_part(*this, object, query.ray, query.wanted(), [&](const ShapeHit& hit, const Vec3& normal) {
         if (!counts(part, query, hit.t, normal)) return false;
         better = query.offer(hit, s.first_primitive, object);
         return true;

@@ -74,6 +74,11 @@ std::size_t primitive_count(const Surfaces& surfaces, const std::vector<std::uin
     return n;
 }
 
+bool is_costly(const Surfaces& surfaces, std::uint32_t object) {
+    const Surface& s = surfaces.objects[object];
+    return (s.kind == SurfaceKind::part ? surfaces.parts[s.part].kind : s.kind) == SurfaceKind::further;
+}
+
 std::uint8_t bit(RayKind kind) {
     switch (kind) {
         case RayKind::image:
@@ -119,6 +124,9 @@ SurfaceIndex::SurfaceIndex(Surfaces surfaces, const CompileOptions& options)
         else
             listed_others_.push_back(object);
     }
+    // A costly search ends at what the others were met at before it.
+    std::stable_partition(listed_others_.begin(), listed_others_.end(),
+                          [&](std::uint32_t object) { return !is_costly(surfaces_, object); });
     if (!indexed.empty()) embree_ = std::make_unique<EmbreeIndex>(surfaces_, indexed, options.precision, options.threads);
 }
 

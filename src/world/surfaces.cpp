@@ -66,7 +66,10 @@ bool Surfaces::test_faces(const Surface& s, Query& query) const {
 bool Surfaces::test(std::uint32_t object, Query& query) const {
     const Surface& s = objects[object];
     if (!(s.seen & query.seen)) return false;
-    if (s.kind >= SurfaceKind::part) return s.kind == SurfaceKind::part ? test_part(object, query) : test_faces(s, query);
+    if (s.kind >= SurfaceKind::further)
+        return s.kind == SurfaceKind::further ? test_further(object, query)
+               : s.kind == SurfaceKind::part  ? test_part(object, query)
+                                              : test_faces(s, query);
     ShapeHit hit;
     const bool met = visit_shape(*this, s.kind, s.first, [&](const auto& shape) {
         if constexpr (is_placed<std::decay_t<decltype(shape)>>)
@@ -75,6 +78,15 @@ bool Surfaces::test(std::uint32_t object, Query& query) const {
             return intersect(shape, query.ray, query.range, hit);
     });
     return met && query.offer(hit, s.first_primitive, object);
+}
+
+/// Costly shapes search no farther than the best hit so far; one at the same distance still counts.
+bool Surfaces::test_further(std::uint32_t object, Query& query) const {
+    const Surface& s = objects[object];
+    const Placed<FurtherShape>& placed = further[s.first];
+    const Ray ray = placed.moved ? placed.to_world.inverse_ray(query.ray) : query.ray;
+    ShapeHit hit;
+    return intersect(placed.shape, ray, query.wanted(), hit) && query.offer(hit, s.first_primitive, object);
 }
 
 bool Surfaces::offer_plane(std::uint32_t face, Query& query) const {

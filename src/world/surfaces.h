@@ -114,6 +114,12 @@ struct Query {
         return true;
     }
 
+    /// The part of the range in which a hit could still be the best.
+    Interval wanted() const {
+        if (!found) return range;
+        return {range.min, std::fmin(range.max, std::nextafter(best.shape.t, infinity))};
+    }
+
     /// The ray as triangles ask for it; made when the first one does.
     const TriangleRay& sheared() {
         if (!sheared_) sheared_.emplace(ray);
@@ -225,6 +231,7 @@ private:
     bool holds_its_inside(std::uint32_t object) const;
     bool test_faces(const Surface& s, Query& query) const;
     bool test_part(std::uint32_t object, Query& query) const;
+    bool test_further(std::uint32_t object, Query& query) const;
     bool counts(const Part& part, const Query& query, double t, const Vec3& normal) const;
     bool fits(std::uint32_t body, const Vec3& inner, const Vec3& outer) const;
     bool is_touch(std::uint32_t object, const Ray& ray, double t, double aside, double error) const;

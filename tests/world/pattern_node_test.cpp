@@ -28,6 +28,18 @@ double value(const Function& stated, const Vec3& at) {
     return evaluate(*function, arguments, steps).value();
 }
 
+TEST(ObjectPatterns, ShareWhatAnswersForTheirBodies) {
+    StatedPattern stated;
+    stated.pattern = make_pattern(PatternKind::object);
+    stated.source = Shared<Bodies>(Bodies{});
+    StatedPattern other = stated;
+    other.source = Shared<Bodies>(Bodies{});
+    const PatternDefaults defaults;
+    const auto first = compile_pattern(stated, defaults, false).bodies;
+    EXPECT_EQ(compile_pattern(stated, defaults, false).bodies, first);
+    EXPECT_NE(compile_pattern(other, defaults, false).bodies, first);
+}
+
 TEST(FunctionSources, APigmentTellsEachPartOfItsColour) {
     Pigment a, b;
     a.content = PigmentColor{Rgb(0.125, 0.25, 0.5), 0.75, 0.0625};
