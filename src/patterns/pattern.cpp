@@ -24,6 +24,12 @@ double image_value(const ImageNumbers& image, const Vec3& q) {
     return place ? image_height(image, *place) : 0.0;
 }
 
+/// The point of a spiral: turbulence, which has moved it already, shifts it along the axis as well.
+Vec3 spiral_point(const Pattern& pattern, const Vec3& q) {
+    if (!pattern.turbulence || pattern.turbulence->amount.x == 0.0) return q;
+    return q + Vec3(0.0, 0.0, pattern.turbulence->amount.x * scalar_turbulence(pattern.noise, *pattern.turbulence, q));
+}
+
 /// The kinds that are made of noise.
 double noise_value(const Pattern& pattern, const Vec3& q) {
     switch (pattern.kind) {
@@ -119,9 +125,9 @@ double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& su
         case K::spherical:
             return spherical(q);
         case K::spiral1:
-            return spiral1(numbers<SpiralNumbers>(pattern), q);
+            return spiral1(numbers<SpiralNumbers>(pattern), spiral_point(pattern, q));
         case K::spiral2:
-            return spiral2(numbers<SpiralNumbers>(pattern), q);
+            return spiral2(numbers<SpiralNumbers>(pattern), spiral_point(pattern, q));
         default:
             return noise_value(pattern, q);
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "patterns/perturb.h"
@@ -47,6 +48,21 @@ TEST(Pattern, ThreeStepsMakeTheValue) {
             EXPECT_EQ(pattern_value(pattern, p), wave_value(pattern, raw_value(pattern, q))) << text;
             EXPECT_EQ(pattern_cell(pattern, p), raw_cell(pattern, q)) << text;
         }
+}
+
+/// Measured along the x axis.
+TEST(Pattern, TurbulenceMovesASpiralAndShiftsIt) {
+    const auto values = [](PatternKind kind, const std::array<double, 6>& measured) {
+        Pattern pattern = make_pattern(kind);
+        pattern.numbers = SpiralNumbers{3};
+        pattern.wave = WaveType::ramp;
+        pattern.turbulence = Turbulence{Vec3(.7, 0, 0)};
+        append(pattern, Transform::translate({.2, .3, .1}));
+        for (std::size_t i = 0; i < measured.size(); ++i)
+            EXPECT_NEAR(pattern_value(pattern, {static_cast<double>(i) - 2.5, 0, 0}), measured[i], 2e-5) << name(kind) << ' ' << i;
+    };
+    values(PatternKind::spiral1, {.54079, .55554, .78714, .23323, .82066, .96934});
+    values(PatternKind::spiral2, {.80966, .86166, .08827, .20708, .21869, .91559});
 }
 
 TEST(Pattern, TransformsOfAChainAreOneStep) {
