@@ -146,11 +146,15 @@ void reserve(const Scene& scene, Surfaces& surfaces) {
 /// A set counts once, with the interior of the whole: by its first part of that medium.
 bool is_around_camera(const Scene& scene, const Surfaces& surfaces, std::uint32_t object, const Vec3& camera, std::uint32_t& last_set) {
     const std::uint32_t set = surfaces.set_of(object);
-    if (set == Body::none) return surfaces.contains(object, camera);
+    if (set == Body::none) {
+        // What was turned inside out reaches everywhere, but POV-Ray asks it in its box alone.
+        if (surfaces.objects[object].inverse && !contains(surfaces.bounds(object), camera)) return false;
+        return surfaces.contains(object, camera);
+    }
     const std::uint32_t medium = surfaces.bodies[set].medium;
     if (set == last_set || medium == 0 || scene.objects[object].medium != medium) return false;
     last_set = set;
-    return surfaces.contains(object, camera);
+    return contains(surfaces.bodies[set].gate, camera) && surfaces.contains(object, camera);
 }
 
 void find_camera_interiors(const Scene& scene, const Surfaces& surfaces, World& world) {
