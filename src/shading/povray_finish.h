@@ -40,9 +40,10 @@ inline Rgb metallic_tint(const Rgb& color, double m, double cos) {
     return Rgb(1.0) + m * (1.0 - metallic_fresnel(cos)) * (color - Rgb(1.0));
 }
 
-/// Reflectivity between its values at normal and at grazing incidence: linear in (1 - cos)^falloff.
+/// Reflectivity between its values at normal and at grazing incidence: linear in (1 - cos)^falloff, and beyond that of grazing where a
+/// bumped normal looks away and the cosine is negative.
 inline Rgb angular_reflectivity(const Rgb& min, const Rgb& max, double falloff, double cos) {
-    const double x = std::clamp(1.0 - cos, 0.0, 1.0);
+    const double x = std::fmax(1.0 - cos, 0.0);
     const double k = falloff == 1.0 ? x : std::pow(x, falloff);
     return k * max + (1.0 - k) * min;
 }

@@ -52,6 +52,7 @@ TEST(AngularReflectivity, is_linear_in_one_minus_cosine_by_default) {
     EXPECT_DOUBLE_EQ(angular_reflectivity(Rgb(0.1), Rgb(0.8), 1.0, 0.75).r, 0.1 * 0.75 + 0.8 * 0.25);
     EXPECT_DOUBLE_EQ(angular_reflectivity(Rgb(0.1), Rgb(0.8), 3.0, 0.5).r, 0.1 * 0.875 + 0.8 * 0.125);
     EXPECT_EQ(angular_reflectivity(Rgb(0.4), Rgb(0.4), 2.0, 0.1).g, 0.4);
+    EXPECT_DOUBLE_EQ(angular_reflectivity(Rgb(0.1), Rgb(0.8), 1.0, -0.5).r, 0.1 * -0.5 + 0.8 * 1.5) << "bumps that look away";
     EXPECT_TRUE(std::isfinite(angular_reflectivity(Rgb(0.1), Rgb(0.8), 0.5, 1.0 + 1e-15).r));
 }
 
