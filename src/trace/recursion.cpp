@@ -15,6 +15,9 @@ namespace {
 constexpr int most_crossings = 10000;
 /// Mixtures on one way of textures that part, each of which doubles the rays; behind so many their shares count for the weights.
 constexpr int free_mixtures = 10;
+/// Lesser textures of mixtures inside one another, each with half of the light at most, and the share that no picture shows.
+constexpr int most_nested = 64;
+constexpr double least_share = 1e-9;
 
 struct Reflectivity {
     Rgb rgb{0.0};
@@ -187,30 +190,30 @@ bool Recursion::step(Path& path, Radiance& result, std::uint32_t& at_node, const
     return shade(surface, texture.layers, *found, path, result, at_node);
 }
 
-/// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light. Where they all go on in one
-/// direction the path goes on once, with what they let through together, or their number would grow with each surface: true if it does.
 /// Rare, and kept out of the code of all other surfaces, as veil() is.
 [[gnu::noinline]] bool Recursion::mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, Path& path, Radiance& result,
                                       std::uint32_t& at_node) {
     const bool together = std::none_of(texture.layers.begin(), texture.layers.end(),
                                        [](const LayerSample& layer) { return layer.bumped || layer.finish->reflects; });
+    const auto main = std::ranges::max_element(texture.shares, {}, &TextureShare::weight);
     const std::vector<std::uint32_t> inside(interiors_.begin() + static_cast<std::ptrdiff_t>(first_interior_), interiors_.end());
     std::optional<OneWay> way;
     std::size_t first = 0;
-    for (const TextureShare& share : texture.shares) {
+    for (auto share = texture.shares.begin(); share != texture.shares.end(); first = share++->end) {
         Path branch = path;
-        branch.filter *= share.weight;
-        branch.transmittance *= share.weight;
-        if (!together && ++branch.mixtures > free_mixtures) branch.weight *= share.weight;
+        branch.filter *= share->weight;
+        branch.transmittance *= share->weight;
+        if (!together && ++branch.mixtures > free_mixtures) branch.weight *= share->weight;
+        const bool lesser = !together && share != main;
+        if (lesser && (++branch.nested > most_nested || max_component(glm::abs(branch.filter)) < least_share)) continue;
         Surface one = surface;
-        one.share = share.weight;
+        one.share = share->weight;
         std::uint32_t next_node = surface.node;
-        bool goes_on = shade(one, std::span(texture.layers).subspan(first, share.end - first), hit, branch, result, next_node);
-        if (together && goes_on) join(way, branch, next_node);
-        for (int i = 0; i < most_crossings && goes_on && !together; ++i) goes_on = step(branch, result, next_node, nullptr);
+        bool goes_on = shade(one, std::span(texture.layers).subspan(first, share->end - first), hit, branch, result, next_node);
+        if (goes_on && !lesser) join(way, branch, next_node);
+        for (int i = 0; i < most_crossings && goes_on && lesser; ++i) goes_on = step(branch, result, next_node, nullptr);
         interiors_.resize(first_interior_);
         interiors_.insert(interiors_.end(), inside.begin(), inside.end());
-        first = share.end;
     }
     if (!way) return false;
     path = way->path;

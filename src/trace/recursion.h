@@ -17,6 +17,7 @@ struct Path {
     int mixtures = 0;     ///< of textures on the way
     RayKind kind = RayKind::image;
     bool straight = false;       ///< goes on unbent: not a new level
+    std::uint8_t nested = 0;     ///< mixtures of which the path is not the main way
     Rgb filter{1.0};             ///< on light found from here on
     double transmittance = 1.0;  ///< share of the background that shows, for alpha
 };
@@ -62,13 +63,16 @@ private:
     bool step(Path& path, Radiance& result, std::uint32_t& at_node, const FirstHit* known);
     SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
     bool shade(Surface& surface, std::span<const LayerSample> layers, const Hit& hit, Path& path, Radiance& result, std::uint32_t& at_node);
-    /// How all the textures of a mixture go on.
+    /// How a mixture goes on: all of its textures together, or the one with the largest share.
     struct OneWay {
         Path path;
         std::uint32_t node = RayNode::none;
         std::vector<std::uint32_t> inside;  ///< its interiors
         RayCounts counts;
     };
+    /// A mixture of textures: each as if it were alone, to the end of its paths, with its share of the light. Where they all go on in one
+    /// direction the path goes on once, with what they let through together, or their number would grow with each surface; else behind the
+    /// largest share, or the stack would grow. True if it goes on.
     bool mix(const Surface& surface, const SampledTexture& texture, const Hit& hit, Path& path, Radiance& result, std::uint32_t& at_node);
     void join(std::optional<OneWay>& way, const Path& branch, std::uint32_t branch_node);
     // Parts of shade(), which every surface goes through.

@@ -80,6 +80,25 @@ TEST(ShapeTextures, TransparentMixturesDoNotMultiplyTheRays) {
     EXPECT_EQ(t.tracer->camera_ray(ray).rgb, seen.rgb);
 }
 
+/// Each adds nothing to the stack: the way goes on behind the texture that has nearly all of the light.
+TEST(ShapeTextures, MixturesThatPartCanBeMany) {
+    Finish mirror = plain();
+    mirror.reflection.min = mirror.reflection.max = Rgb(1e-9);
+    PatternTexture mixture;
+    mixture.pattern.pattern = make_pattern(PatternKind::gradient);
+    mixture.map = TextureMap{{0.0, 1.0}, {layers(color(Rgb(0.0), 0.0, 1.0), plain()), layers(color(Rgb(0.0), 0.0, 1.0), mirror)}};
+    Texture seen;
+    seen.content = Shared<PatternTexture>(mixture);
+    std::vector<Object> discs(9000, object(Disc{{0, 0, 0}, {0, 0, 1}, 100.0, 0.0}, {seen}));
+    for (std::size_t i = 0; i < discs.size(); ++i) discs[i].transform = Transform::translate({0, 0, 0.01 * static_cast<double>(i)});
+    Scene scene = scene_with(discs, {}, {1, 2, 4});
+    scene.settings.adc_bailout = 0.9999e-5;  // enough for the lesser texture, but for few of its surfaces
+    Traced t(scene);
+    const Rgb light = t.look({1e-5, 0.3, -5}, ahead).rgb;
+    EXPECT_NEAR(light.r, std::pow(1.0 - 1e-5, 9000), 2e-3);
+    EXPECT_NEAR(light.b, 4.0 * light.r, exact);
+}
+
 /// Where their mirrors or bumps part them they still go on alone.
 TEST(ShapeTextures, AMirrorAmongTheTexturesReflectsItsShare) {
     Finish mirror = plain();
