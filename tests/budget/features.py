@@ -31,7 +31,7 @@ SCENES = {
     "plain": ("plain", [], set()),
     "index": ("index", [], {"index"}),
     "mesh": ("mesh", [], {"index", "meshes"}),
-    "face_textures": ("face_textures", [], {"meshes", "textures of parts"}),
+    "face_textures": ("face_textures", [], {"index", "meshes", "textures of parts"}),
     "transparency": ("transparency", [], {"transparency"}),
     "checker": ("checker", [], {"patterns"}),
     "area_light": ("area_light", [], {"area lights"}),
