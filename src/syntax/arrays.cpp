@@ -30,9 +30,9 @@ VariablePtr copy_of(const VariablePtr& variable) {
 
 }  // namespace
 
-ArrayExtent Reader::State::extent_of(const Span& place, const ArrayValue& array) {
+ArrayExtent Reader::State::extent_of(const Span& place, const ArrayValue& array, std::size_t around) {
     ArrayExtent extent;
-    measure(array, 1, extent);
+    measure(array, 1 + around, extent);
     if (extent.depth > max_depth) reader.fail_limit(place, fmt::format("Arrays hold arrays more than {} deep.", max_depth), "");
     return extent;
 }
@@ -83,9 +83,7 @@ void Reader::State::parse_elements(ArrayValue& array, std::size_t dimension, std
 }
 
 void Reader::State::set_element(const Span& place, ArrayValue& array, std::size_t index, VariablePtr value) {
-    const auto* const inner = std::get_if<ArrayValue>(&value->value);
-    if (inner && extent_of(place, *inner).depth == max_depth)
-        reader.fail_limit(place, fmt::format("Arrays hold arrays more than {} deep.", max_depth), "");
+    if (const auto* inner = std::get_if<ArrayValue>(&value->value)) extent_of(place, *inner, 1);
     const std::string_view kind = kind_of(value->value);
     if (array.kind.empty()) array.kind = kind;
     if (array.kind != kind) reader.fail(place, fmt::format("Attempted to redefine {} as {}.", array.kind, kind));

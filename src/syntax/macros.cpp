@@ -33,7 +33,8 @@ bool Reader::State::is_no_macro(const Token& name) const {
     return variable && !std::holds_alternative<MacroValue>(variable->value);
 }
 
-/// The macro's name was read; its body is what comes next. `called` is kept while the body is read, whatever becomes of the name.
+/// The macro's name was read; its body is what comes next. `called` is kept while the arguments are read, whatever becomes of the name;
+/// nothing gives a variable that is a macro another value.
 void Reader::State::call_macro(const VariablePtr& called) {
     const auto& macro = std::get<MacroValue>(called->value);
     const Span place = ahead.span, before = last;

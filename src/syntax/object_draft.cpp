@@ -140,10 +140,15 @@ void move(Reader& reader, const Span& place, Draft& draft, const Transform& t) {
         require_finite(reader, place, *draft.set_motion);
     }
     if (draft.extent) draft.extent = moved(*draft.extent, t);
+    if (draft.object.shape_textures && moves_shape_textures(draft.object)) append(draft.shape_texture_motion, t);
     if (draft.object.uv_mapping) return;  // its surface takes its coordinates along
     if (draft.object.texture) append(draft.texture_motion, t);
     if (draft.object.interior_texture) append(draft.interior_texture_motion, t);
-    if (draft.object.shape_textures) append(draft.shape_texture_motion, t);
+}
+
+bool moves_shape_textures(const Object& object) {
+    const auto* further = std::get_if<FurtherShape>(&object.shape);
+    return !object.uv_mapping || (further && std::holds_alternative<Blob>(*further));
 }
 
 ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const ShapeSyntax* shape) {

@@ -28,6 +28,9 @@ struct Draft {
 std::unique_ptr<Draft> draft_of(ObjectValue value);
 /// As a modifier would.
 void move(Reader& reader, const Span& place, Draft& draft, const Transform& t);
+/// Whether textures of the parts of its shape move with the object: not where they are seen at its surface's own coordinates. Those of a
+/// blob do even there, as POV-Ray has it.
+bool moves_shape_textures(const Object& object);
 /// Reads modifiers and the end of the block; `shape` says which of them the object takes, if its shape is known.
 ObjectValue finish_object(Reader& reader, std::unique_ptr<Draft> draft, const ShapeSyntax* shape);
 /// Reads the modifiers of something that is no object: what moves it, all others meaning nothing.

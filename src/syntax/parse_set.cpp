@@ -183,10 +183,10 @@ void move_set(Reader& reader, const Span& place, SetValue& set, const Transform&
     MovedTextures textures(reader, t);
     for (Object& object : set.parts.objects) {
         move(reader, place, object.transform, t);
+        if (moves_shape_textures(object)) textures.move(object.shape_textures);
         if (object.uv_mapping) continue;  // its surface takes its coordinates along
         textures.move(object.texture);
         textures.move(object.interior_texture);
-        textures.move(object.shape_textures);
     }
     for (ObjectSet* bodies : {&set.parts.set, &set.clip, &set.bound}) move(reader, place, *bodies, t);
     for (Light& light : set.parts.lights) transform_light(reader, place, light, t);

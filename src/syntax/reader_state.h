@@ -98,8 +98,8 @@ struct Reader::State : Reader::Cursor {
     [[noreturn]] void fail_memory(const Span& place);
     /// A copy that shares nothing with `value`; what it costs is counted.
     Value copy_of(const Span& place, const Value& value);
-    /// Fails where arrays lie too deep in each other.
-    ArrayExtent extent_of(const Span& place, const ArrayValue& array);
+    /// Fails where arrays lie too deep in each other, counting those `around` this one.
+    ArrayExtent extent_of(const Span& place, const ArrayValue& array, std::size_t around = 0);
 
     // --- switch.cpp
     void begin_switch(const Span& place);

@@ -79,6 +79,9 @@ TEST(BlobTextures, MoveWithWhatMovesTheComponentAfterThem) {
     EXPECT_EQ(offset(of("pigment { rgb 1 } translate x " + checker)), Vec3(1, 0, 0)) << "a pigment begins where the last one was moved to";
     EXPECT_EQ(offset(of(checker + "translate x texture { " + checker + "}")), Vec3(0.0)) << "a layer that was put on later";
     EXPECT_EQ(offset(of(checker + "translate x", "translate y pigment { rgb 1 } translate z")), Vec3(1, 1, 1));
+    EXPECT_EQ(offset(of(checker, "uv_mapping translate x")), Vec3(1, 0, 0)) << "as POV-Ray has it";
+    EXPECT_EQ(offset("union { " + of(checker, "uv_mapping") + "translate y }"), Vec3(0, 1, 0));
+    EXPECT_EQ(offset(of("texture { uv_mapping " + checker + "}", "translate x")), Vec3(0.0));
     EXPECT_EQ(offset("#declare B = " + of(checker, "translate x") + "object { B translate y }"), Vec3(1, 1, 0));
     EXPECT_EQ(offset("union { " + of(checker + "translate x") + "sphere { 0, 1 } translate z }"), Vec3(1, 0, 1));
 }
