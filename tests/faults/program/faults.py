@@ -32,7 +32,8 @@ POVRAY_DEPTH = (POVRAY, "max_level_([[std::clamp(options.max_trace_level.value_o
 TRANSMISSION = (COURSE, "if ([[shares.transmission > 0.0]])")
 THROUGH = (POVRAY, "if ([[!through]]) return false;")
 SHADOW_LIT = (COURSE, "way != Vec3(0.0) && [[lit(point, light)]];")
-TRANSMITTED_SHADOW = (LIGHTING, "arriving *= [[transmitted(index, view, ray)]];")
+TRANSMITTED_SHADOW = (LIGHTING, "return [[shadows_.transmitted(index, view.at, ray, view.inside, nullptr)]];")
+LOGGED_SHADOW = (LIGHTING, "const Rgb light = [[shadows_.transmitted(index, view.at, ray, view.inside, &answer)]];")
 PIGMENT_ON_ENTRY = (COURSE, "CourseRules::beer_density) : [[point.surface.pigment]];")
 # A shadow ray that meets the surface it starts on would do so ten thousand times before it is dark.
 CROSSINGS = (SHADOW, "i < [[most_crossings]]; ++i) {")
@@ -112,7 +113,7 @@ FAULTS = {
             (*CROSSINGS, "10"),
         ],
     ),
-    "no_shadows": ("nothing casts shadows", [(*SHADOW_LIT, "true"), (*TRANSMITTED_SHADOW, "Rgb(1.0)"), (*AREA_SHADOW, "Rgb(1.0)")]),
+    "no_shadows": ("nothing casts shadows", [(*SHADOW_LIT, "true"), (*TRANSMITTED_SHADOW, "Rgb(1.0)"), (*LOGGED_SHADOW, "Rgb(1.0)"), (*AREA_SHADOW, "Rgb(1.0)")]),
     "opaque_shadows": (
         "transparent objects cast the shadows of opaque ones",
         [(SHADOW, "if ([[!world_.materials[object.material].can_transmit]]) return", "true")],
