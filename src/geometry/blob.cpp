@@ -10,7 +10,7 @@ namespace rt {
 namespace {
 
 /// Stretch of a line on which the field of a component is strength * (a s^2 + 2 b s + c)^2.
-struct Stretch {
+struct FieldStretch {
     double from, to;
     double a, b, c;
     double strength;
@@ -27,7 +27,7 @@ OwnLine own_line(const BlobComponent& component, const Vec3& o, const Vec3& d) {
 
 /// The stretch on which the line is nearer than the radius, to a point or, with `axis`, to the infinite line through it; cut to from..to.
 void add_stretch(const BlobComponent& component, const OwnLine& line, const Vec3& point, const Vec3& axis, double from, double to,
-                 std::vector<Stretch>& out) {
+                 std::vector<FieldStretch>& out) {
     const Vec3 f = line.o - point;
     const Vec3 across_f = f - dot(f, axis) * axis, across_d = line.d - dot(line.d, axis) * axis;
     const double r2 = sqr(component.radius);
@@ -44,7 +44,7 @@ void add_stretch(const BlobComponent& component, const OwnLine& line, const Vec3
     if (from < to) out.push_back({from, to, -a / r2, -b / r2, (r2 - dot(across_f, across_f)) / r2, component.strength});
 }
 
-void add_stretches(const BlobComponent& component, const Vec3& o, const Vec3& d, std::vector<Stretch>& out) {
+void add_stretches(const BlobComponent& component, const Vec3& o, const Vec3& d, std::vector<FieldStretch>& out) {
     const OwnLine line = own_line(component, o, d);
     const Vec3 axis = component.cap - component.base;
     const double axis2 = dot(axis, axis);
@@ -72,10 +72,10 @@ void add_stretches(const BlobComponent& component, const Vec3& o, const Vec3& d,
 }
 
 /// The field minus the threshold on from..to as a polynomial of degree 4 in [0, 1].
-std::array<double, 5> sum_on(const std::vector<Stretch>& stretches, double from, double to, double threshold) {
+std::array<double, 5> sum_on(const std::vector<FieldStretch>& stretches, double from, double to, double threshold) {
     std::array<double, 5> sum;
     sum.fill(-threshold);
-    for (const Stretch& s : stretches) {
+    for (const FieldStretch& s : stretches) {
         if (!(s.from < to && s.to > from)) continue;
         const std::array<double, 3> q{s.c + (2.0 * s.b + s.a * from) * from, s.c + s.b * (from + to) + s.a * from * to,
                                       s.c + (2.0 * s.b + s.a * to) * to};
@@ -114,10 +114,10 @@ void find_hits(const Blob& shape, const Ray& ray, HitSink& sink) {
     const Bounds box = bounds(shape);
     const double shift = -dot(ray.origin - 0.5 * (box.min + box.max), d);
     const Vec3 o = ray.origin + shift * d;
-    std::vector<Stretch> stretches;
+    std::vector<FieldStretch> stretches;
     for (const BlobComponent& component : shape.data->components) add_stretches(component, o, d, stretches);
     std::vector<double> borders;
-    for (const Stretch& s : stretches) {
+    for (const FieldStretch& s : stretches) {
         borders.push_back(s.from);
         borders.push_back(s.to);
     }

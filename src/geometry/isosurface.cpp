@@ -76,7 +76,7 @@ private:
     std::uint64_t steps_ = most_steps;
 };
 
-double value_at(const Isosurface& shape, const Vec3& p) {
+double field_at(const Isosurface& shape, const Vec3& p) {
     const std::array<double, 3> arguments{p.x, p.y, p.z};
     std::uint64_t steps = most_steps;
     return evaluate(*shape.function, arguments, steps).value_or(shape.threshold) - shape.threshold;
@@ -114,14 +114,14 @@ void find_hits(const Isosurface& shape, const Ray& ray, HitSink& sink) {
 Vec3 normal(const Isosurface& shape, const Vec3& point, const ShapeHit& hit) {
     if (hit.part > 0)
         return std::visit([&](const auto& container) { return normal(container, point, ShapeHit{.part = hit.part - 1}); }, shape.container);
-    const double here = value_at(shape, point), step = shape.accuracy;
-    const Vec3 slope(value_at(shape, point + Vec3(step, 0.0, 0.0)) - here, value_at(shape, point + Vec3(0.0, step, 0.0)) - here,
-                     value_at(shape, point + Vec3(0.0, 0.0, step)) - here);
+    const double here = field_at(shape, point), step = shape.accuracy;
+    const Vec3 slope(field_at(shape, point + Vec3(step, 0.0, 0.0)) - here, field_at(shape, point + Vec3(0.0, step, 0.0)) - here,
+                     field_at(shape, point + Vec3(0.0, 0.0, step)) - here);
     return length(slope) > 0.0 && is_finite(slope) ? slope : Vec3(1.0, 0.0, 0.0);
 }
 
 bool contains(const Isosurface& shape, const Vec3& point) {
-    return std::visit([&](const auto& container) { return contains(container, point); }, shape.container) && value_at(shape, point) < 0.0;
+    return std::visit([&](const auto& container) { return contains(container, point); }, shape.container) && field_at(shape, point) < 0.0;
 }
 
 Bounds bounds(const Isosurface& shape) {

@@ -69,15 +69,15 @@ struct SeenPiece {
 };
 
 /// Part of a line that a piece covers, and where on the piece it begins and ends.
-struct Stretch {
+struct Cover {
     double first, last;
     double first_u, last_u;
     std::uint32_t first_part, last_part;
 };
 
-class StretchFinder {
+class CoverFinder {
 public:
-    StretchFinder(const SeenPiece& piece, std::uint32_t part, std::vector<Stretch>& out) : piece_(piece), part_(part), out_(out) {}
+    CoverFinder(const SeenPiece& piece, std::uint32_t part, std::vector<Cover>& out) : piece_(piece), part_(part), out_(out) {}
 
     /// Spheres next to each other cover one stretch together: from where the first begins to where the last ends.
     void find() {
@@ -105,7 +105,7 @@ private:
             add_changes(slope, places_);
             places_.push_back(0.0);
         }
-        Stretch s{infinity, -infinity, 0.0, 0.0, part_, part_};
+        Cover s{infinity, -infinity, 0.0, 0.0, part_, part_};
         const auto consider = [&](double u) {
             if (const double t = piece_.end(u, -1.0); t < s.first) s.first = t, s.first_u = u;
             if (const double t = piece_.end(u, 1.0); t > s.last) s.last = t, s.last_u = u;
@@ -119,17 +119,17 @@ private:
 
     const SeenPiece& piece_;
     std::uint32_t part_;
-    std::vector<Stretch>& out_;
+    std::vector<Cover>& out_;
     std::vector<double> edges_, places_;
 };
 
 /// Stretches that overlap become one.
-void join(std::vector<Stretch>& stretches) {
-    std::stable_sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.first < b.first; });
+void join(std::vector<Cover>& stretches) {
+    std::stable_sort(stretches.begin(), stretches.end(), [](const Cover& a, const Cover& b) { return a.first < b.first; });
     std::size_t count = 0;
-    for (const Stretch& s : stretches) {
+    for (const Cover& s : stretches) {
         if (count > 0 && s.first <= stretches[count - 1].last) {
-            Stretch& before = stretches[count - 1];
+            Cover& before = stretches[count - 1];
             if (s.last > before.last) before.last = s.last, before.last_u = s.last_u, before.last_part = s.last_part;
         } else {
             stretches[count++] = s;
@@ -172,14 +172,14 @@ void find_hits(const SphereSweep& shape, const Ray& ray, HitSink& sink) {
     const double shift = dot(pieces.front().center[0] - ray.origin, d);
     const Ray line{ray.origin + shift * d, d};
     const Vec3 e = unit(cross(d, std::fabs(d.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0))), f = cross(d, e);
-    std::vector<Stretch> stretches;
+    std::vector<Cover> stretches;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
         if (!is_near(pieces[i], line)) continue;
         const SeenPiece seen(pieces[i], line, e, f);
-        StretchFinder(seen, i, stretches).find();
+        CoverFinder(seen, i, stretches).find();
     }
     join(stretches);
-    for (const Stretch& s : stretches) {
+    for (const Cover& s : stretches) {
         sink.offer({.t = (s.first + shift) / speed, .part = s.first_part, .u = s.first_u});
         sink.offer({.t = (s.last + shift) / speed, .part = s.last_part, .u = s.last_u});
     }

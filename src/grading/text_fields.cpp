@@ -23,18 +23,18 @@ std::string squeezed(std::string_view line) {
 }
 
 /// The number in a field that may have punctuation around it, as in "{1.0000" or "(255,", and what is around it.
-struct Number {
+struct WrittenNumber {
     double value;
     std::string_view before, after;
 };
-std::optional<Number> number_of(std::string_view field) {
+std::optional<WrittenNumber> number_of(std::string_view field) {
     const std::size_t begin = field.find_first_of("+-.0123456789");
     if (begin == std::string_view::npos) return std::nullopt;
     const char* first = field.data() + begin + (field[begin] == '+' ? 1 : 0);
     double value = 0.0;
     const auto [end, error] = std::from_chars(first, field.data() + field.size(), value);
     if (error != std::errc() || end == first) return std::nullopt;
-    return Number{value, field.substr(0, begin), field.substr(static_cast<std::size_t>(end - field.data()))};
+    return WrittenNumber{value, field.substr(0, begin), field.substr(static_cast<std::size_t>(end - field.data()))};
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 }
 
 std::optional<double> distance(std::string_view a, std::string_view b) {
-    const std::optional<Number> x = number_of(a), y = number_of(b);
+    const std::optional<WrittenNumber> x = number_of(a), y = number_of(b);
     if (!x || !y || x->before != y->before || x->after != y->after) return std::nullopt;
     return std::fabs(x->value - y->value);
 }

@@ -12,7 +12,6 @@ namespace rt {
 
 namespace {
 
-double clamp01(double x) { return std::fmin(1.0, std::fmax(0.0, x)); }
 double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
 
 /// A coordinate's cell on the lattice, 0..4095, and the place in it.

@@ -1,6 +1,7 @@
 // Gradient noise on a lattice, in three variants, and what is made of it.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "core/vec.h"
@@ -8,6 +9,8 @@
 namespace rt {
 
 struct Turbulence;
+
+inline double clamp01(double x) { return std::fmin(1.0, std::fmax(0.0, x)); }
 
 /// `noise_generator`.
 enum class NoiseGenerator : std::uint8_t { original = 1, range_corrected = 2, perlin = 3 };

@@ -9,8 +9,6 @@ namespace rt {
 
 namespace {
 
-double clamp01(double x) { return std::fmin(1.0, std::fmax(0.0, x)); }
-
 double stretched_noise(NoiseGenerator generator, const Vec3& p) {
     const double n = noise(generator, p);
     return generator == NoiseGenerator::original ? n : clamp01(2.0 * n - 0.5);

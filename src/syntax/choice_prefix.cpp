@@ -6,7 +6,7 @@ namespace rt {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view line_blanks = " \t\r";
 
 std::size_t skip(std::string_view text, std::size_t at, std::string_view skipped) {
     return std::min(text.find_first_not_of(skipped, at), text.size());
@@ -31,11 +31,11 @@ std::size_t near_choice_prefix(std::string_view comment) {
     std::size_t at = begin;
     while (at != comment.size() && is_letter(comment[at])) ++at;
     if (!is_our_word(comment.substr(begin, at - begin))) return 0;
-    const std::size_t behind = skip(comment, at, blanks);
+    const std::size_t behind = skip(comment, at, line_blanks);
     const bool colon = behind != comment.size() && comment[behind] == ':';
     const std::size_t length = colon ? behind + 1 : at;
-    const std::size_t first = skip(comment, length, blanks);
-    const std::string_view piece = comment.substr(first, std::min(comment.find_first_of(blanks, first), comment.size()) - first);
+    const std::size_t first = skip(comment, length, line_blanks);
+    const std::string_view piece = comment.substr(first, std::min(comment.find_first_of(line_blanks, first), comment.size()) - first);
     const bool states_something = piece.find('=') != std::string_view::npos;
     return (marked && colon) || ((marked || colon) && states_something) ? length : 0;
 }

@@ -11,9 +11,6 @@ namespace rt {
 
 namespace {
 
-/// Equality of expressions is equality within this.
-constexpr double epsilon = 1e-10;
-
 template <typename Operation>
 Number combine(const Number& a, const Number& b, Operation operation) {
     Number result;

@@ -12,7 +12,6 @@ namespace rt {
 
 namespace {
 
-Number number(double x) { return {{x}, 1, false}; }
 Number vector(const Vec3& p) { return {{p.x, p.y, p.z}, 3, false}; }
 
 /// Toward zero; what does not fit an int becomes the smallest one, as on POV-Ray's machines.

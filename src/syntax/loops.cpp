@@ -9,7 +9,6 @@ namespace rt {
 
 namespace {
 
-constexpr double epsilon = 1e-10;        ///< a counter may pass its last value by that much
 constexpr std::size_t round_bytes = 64;  ///< what a round costs besides its text
 constexpr std::uint32_t rounds_between_looks = 256;
 

@@ -9,8 +9,6 @@ namespace rt {
 
 namespace {
 
-constexpr double epsilon = 1e-10;  ///< POV-Ray's, for "the same point" and "parallel"
-
 bool is_type(Word w) {
     switch (w) {
         case Word::perspective:
@@ -80,7 +78,7 @@ bool accept_vector_item(Reader& reader, Camera& camera) {
 }
 
 /// Focal blur and the like: values are read, a blur that would show is reported.
-bool accept_unmodelled_item(Reader& reader) {
+bool accept_unmodelled_camera_item(Reader& reader) {
     const Token next = reader.peek();
     if (reader.accept(Word::aperture)) {
         if (reader.parse_float() != 0.0) reader.unmodelled(next.span, "aperture");
@@ -160,7 +158,7 @@ Camera parse_camera(Reader& reader) {
             append_transform(reader, next.span, camera, *t);
         } else if (next.kind == Token::Kind::word && is_type(next.word) && next.word != type) {
             reader.fail_expected(fmt::format("{} camera modifier", text(type)));
-        } else if (!accept_vector_item(reader, camera) && !accept_unmodelled_item(reader)) {
+        } else if (!accept_vector_item(reader, camera) && !accept_unmodelled_camera_item(reader)) {
             break;
         }
     }

@@ -151,7 +151,7 @@ bool accept_legacy_item(Reader& reader, Finish& finish) {
     return true;
 }
 
-bool accept_unmodelled_item(Reader& reader) {
+bool accept_unmodelled_finish_item(Reader& reader) {
     const Token next = reader.peek();
     if (reader.accept(Word::subsurface)) {
         skip_unmodelled_block(reader, next);
@@ -170,7 +170,7 @@ Finish parse_finish(Reader& reader, Finish base) {
     const int level = inherited == 0 ? 0 : base.options.back().level + 1;
     Albedos albedos;
     while (accept_choices(reader, base.options) || accept_light_item(reader, base, albedos) || accept_legacy_item(reader, base) ||
-           accept_unmodelled_item(reader))
+           accept_unmodelled_finish_item(reader))
         continue;
     reader.end_block();
     scale_albedos(base, albedos);

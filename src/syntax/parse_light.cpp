@@ -110,7 +110,7 @@ bool accept_general_item(Reader& reader, Light& light) {
 }
 
 /// Keywords about media and photons say nothing where there are none: both are reported where they are asked for.
-bool accept_unmodelled_item(Reader& reader) {
+bool accept_unmodelled_light_item(Reader& reader) {
     if (reader.accept(Word::media_interaction)) {
         reader.parse_bool_or(true);
     } else if (reader.accept(Word::photons)) {
@@ -184,7 +184,7 @@ void transform_light(Reader& reader, const Span& place, Light& light, const Tran
             move(reader, place, light, area, *t);
             if (look) look->move(reader, place, *t);
         } else if (!accept_general_item(reader, light) && !accept_cone_item(reader, light) && !accept_area_item(reader, area, is_area) &&
-                   !accept_unmodelled_item(reader) && !accept_light_object(reader, light, look)) {
+                   !accept_unmodelled_light_item(reader) && !accept_light_object(reader, light, look)) {
             break;
         }
     }

@@ -6,8 +6,6 @@ namespace rt {
 
 namespace {
 
-constexpr double epsilon = 1e-10;  ///< POV-Ray's, for "the same point" and "in the plane"
-
 bool same_point(const Vec3& a, const Vec3& b) { return length(a - b) < epsilon; }
 
 /// Closes every contour by an exact copy of its first point. How many points the last one had if it had to be closed by a point of ours.

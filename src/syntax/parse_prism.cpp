@@ -9,11 +9,9 @@ namespace rt {
 
 namespace {
 
-constexpr double epsilon = 1e-10;  ///< POV-Ray's, for "the same point"
-
 bool same(const Vec2& a, const Vec2& b) { return std::fabs(a.x - b.x) < epsilon && std::fabs(a.y - b.y) < epsilon; }
 
-void check_count(Reader& reader, SplineKind spline, std::size_t count) {
+void check_prism_count(Reader& reader, SplineKind spline, std::size_t count) {
     const Span place = reader.peek().span;
     if (spline == SplineKind::linear && count < 3) reader.fail(place, "Prism with linear splines must have at least three points.");
     if (spline == SplineKind::quadratic && count < 5) reader.fail(place, "Prism with quadratic splines must have at least five points.");
@@ -98,7 +96,7 @@ ParsedShape parse_prism(Reader& reader) {
     prism.low = std::fmin(a, b);
     prism.high = std::fmax(a, b);
     const std::size_t count = parse_count(reader);
-    check_count(reader, spline, count);
+    check_prism_count(reader, spline, count);
     const std::vector<Vec2> points = parse_points(reader, count);
     prism.open = reader.accept(Word::open);
     Outline outline;

@@ -31,7 +31,7 @@ std::vector<Vec2> parse_points(Reader& reader, std::size_t count) {
 
 namespace {
 
-void check_count(Reader& reader, SplineKind spline, std::size_t count) {
+void check_lathe_count(Reader& reader, SplineKind spline, std::size_t count) {
     const Span place = reader.peek().span;
     if (spline == SplineKind::linear && count < 2) reader.fail(place, "Lathe with linear splines must have at least two points.");
     if (spline == SplineKind::quadratic && count < 3) reader.fail(place, "Lathe with quadratic splines must have at least three points.");
@@ -53,7 +53,7 @@ ParsedShape parse_lathe(Reader& reader) {
     SplineKind spline = SplineKind::linear;
     while (accept_spline(reader, spline)) continue;
     const std::size_t count = parse_count(reader);
-    check_count(reader, spline, count);
+    check_lathe_count(reader, spline, count);
     const std::vector<Vec2> points = parse_points(reader, count);
     for (std::size_t i = 1; i + 1 < points.size(); ++i)
         if (points[i].x < 0.0) reader.fail(reader.peek().span, "Incorrect point in lathe.");

@@ -7,7 +7,6 @@ namespace rt {
 
 namespace {
 
-constexpr double epsilon = 1e-10;      ///< POV-Ray's, for vectors that count as zero
 constexpr double sphere_limit = 1e-9;  ///< a torus whose major radius is that much smaller than the minor one is a sphere
 
 /// A vector and the comma that may follow it.

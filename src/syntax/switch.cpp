@@ -6,12 +6,6 @@
 
 namespace rt {
 
-namespace {
-
-constexpr double epsilon = 1e-10;
-
-}  // namespace
-
 /// Only directives may stand before the first case.
 void Reader::State::begin_switch(const Span& place) {
     const std::size_t frame_count = frames.size(), conditional_count = conditionals.size();

@@ -14,6 +14,9 @@
 
 namespace rt {
 
+/// What POV-Ray takes for zero or for equal in expressions, lengths and steps of loops.
+inline constexpr double epsilon = 1e-10;
+
 /// Result of a numeric expression: a float (size 1), a vector of 2..5 components or a colour (always 5, order r g b filter transmit).
 struct Number {
     std::array<double, 5> v{};

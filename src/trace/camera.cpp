@@ -1,13 +1,10 @@
 #include "trace/camera.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace rt {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// `v` turned about the unit vector `axis` (Rodrigues).
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {

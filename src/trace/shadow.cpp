@@ -9,7 +9,7 @@ namespace rt {
 namespace {
 
 /// Beyond so many surfaces on the way to a light nothing is left of it.
-constexpr int most_crossings = 10000;
+constexpr int most_shadow_crossings = 10000;
 /// Larger area lights ask shared corners again instead of remembering them.
 constexpr std::int64_t most_cached_samples = 1 << 20;
 
@@ -62,7 +62,7 @@ Rgb Shadows::through_transparent(const SurfacePoint& at, const LightRay& ray, bo
     inside_.assign(inside.begin(), inside.end());
     SurfacePoint from = at;
     double left = ray.distance;
-    for (int i = 0; i < most_crossings; ++i) {
+    for (int i = 0; i < most_shadow_crossings; ++i) {
         const Ray segment{rules_.leave(from, ray.direction), ray.direction};
         const Interval range = rules_.shadow(left, from.error);
         Hit hit;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/slots.h"
+#include "world/embree_handles.h"
 #include "world/traveller.h"
 
 namespace rt {
@@ -30,17 +31,6 @@ constexpr double far_origin = 1e7;
         throw LimitError("not enough memory for the index of the scene's surfaces. --limit memory=N allows more.");
     throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
 }
-
-/// Owns one reference to an object of Embree's.
-template <typename T, void (*release)(T)>
-struct Releaser {
-    using pointer = T;
-    void operator()(T handle) const { release(handle); }
-};
-using DeviceHandle = std::unique_ptr<RTCDevice, Releaser<RTCDevice, rtcReleaseDevice>>;
-using SceneHandle = std::unique_ptr<RTCScene, Releaser<RTCScene, rtcReleaseScene>>;
-using BvhHandle = std::unique_ptr<RTCBVH, Releaser<RTCBVH, rtcReleaseBVH>>;
-using GeometryHandle = std::unique_ptr<RTCGeometry, Releaser<RTCGeometry, rtcReleaseGeometry>>;
 
 /// Embree sets flush-to-zero in the threads that it builds with; whether the caller is one of them is up to its scheduler, which may also
 /// hand the caller's rounding on to the others, for good. It builds with the usual one, whatever the caller's is.

@@ -42,7 +42,7 @@ PARTS = {
 
 # Where a library may be included, as a pattern of paths under src/.
 LIBRARIES = {
-    r"embree\d?/": r"world/embree_index\.cpp",
+    r"embree\d?/": r"world/embree_(index\.cpp|handles\.h)",
     r"png\.h": r"film/png\.cpp",
     r"ft2build|freetype": r"syntax/font_file\.cpp",
     r"OpenImageIO/": r"film/oiio/.*",

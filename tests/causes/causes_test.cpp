@@ -12,7 +12,7 @@
 #include "tests/causes/scene_maker.h"
 #include "tests/faults/random_scene.h"
 
-namespace rt::test {
+namespace rt::test::causes_test {
 namespace {
 
 int from_environment(const char* name, int usual) {
@@ -78,4 +78,4 @@ TEST(Causes, OfTheCoursesScenes) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::causes_test

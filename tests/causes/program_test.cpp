@@ -10,7 +10,7 @@
 
 #include "tests/causes/scene_maker.h"
 
-namespace rt::test {
+namespace rt::test::program_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST_F(GradedCause, ARightProgramsAnswersHaveNone) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::program_test

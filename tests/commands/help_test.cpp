@@ -8,7 +8,7 @@
 #include "commands/base/suggest.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::help_test {
 namespace {
 
 void expect_fits(const std::string& what, const std::string& text) {
@@ -64,4 +64,4 @@ TEST(Suggestions, NearestWordWithinAThird) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::help_test

@@ -14,7 +14,7 @@
 #include "film/temporary_files.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::interrupt_test {
 namespace {
 
 using test::Outcome;
@@ -128,4 +128,4 @@ TEST(SignalsDeathTest, ThatAnotherThreadTakesWaitUntilATemporaryFileIsRegistered
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::interrupt_test

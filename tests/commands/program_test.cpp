@@ -14,7 +14,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::program_test {
 namespace {
 
 using test::Outcome;
@@ -297,4 +297,4 @@ TEST_F(Program, SceneInfoIsTheCoursesText) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::program_test

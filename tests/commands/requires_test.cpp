@@ -5,7 +5,7 @@
 
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::requires_test {
 namespace {
 
 using test::Outcome;
@@ -177,4 +177,4 @@ TEST_F(Requires, HelpTellsOfIt) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::requires_test

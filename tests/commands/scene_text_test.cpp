@@ -10,7 +10,7 @@
 #include "core/source.h"
 #include "tests/scene/checkers.h"
 
-namespace rt {
+namespace rt::scene_text_test {
 namespace {
 
 TextureLayers plain(const Rgb& color, double ambient, double diffuse) {
@@ -253,4 +253,4 @@ TEST(Progress, TellsShareRateAndTimeLeft) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::scene_text_test

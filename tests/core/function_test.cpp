@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rt {
+namespace rt::function_test {
 namespace {
 
 using Op = Function::Op;
@@ -77,4 +77,4 @@ TEST(Function, BuiltInOnesAreTheirFormulas) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::function_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::source_test {
 namespace {
 
 Sources one_file(std::string text) {
@@ -63,4 +63,4 @@ TEST(Sources, ASpanOverSeveralLinesIsMarkedOnItsFirst) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::source_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::spline_test {
 namespace {
 
 using Kind = Spline::Kind;
@@ -58,4 +58,4 @@ TEST(Spline, KeepsTheLastOfPointsAtTheSamePlace) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::spline_test

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace rt {
+namespace rt::transform_test {
 namespace {
 
 void expect_near(const Vec3& found, const Vec3& expected, double tolerance = 1e-14) {
@@ -103,4 +103,4 @@ TEST(Transform, BoundsHoldTheImageOfTheBox) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::transform_test

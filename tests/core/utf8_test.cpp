@@ -3,7 +3,7 @@
 
 #include "core/utf8.h"
 
-namespace rt {
+namespace rt::utf8_test {
 namespace {
 
 constexpr std::string_view a_umlaut = "\xC3\xA4", euro = "\xE2\x82\xAC", smile = "\xF0\x9F\x98\x80", replacement = "\xEF\xBF\xBD";
@@ -71,4 +71,4 @@ TEST(Utf8, ALineHoldsNothingThatATerminalObeys) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::utf8_test

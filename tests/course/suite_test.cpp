@@ -12,7 +12,7 @@
 
 #include "grading/difference.h"
 
-namespace rt {
+namespace rt::suite_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(, CourseSuite, testing::ValuesIn(tests_of_the_course())
 });
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::suite_test

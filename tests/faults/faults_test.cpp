@@ -29,7 +29,7 @@
 #include "tests/faults/measure.h"
 #include "tests/faults/random_scene.h"
 
-namespace rt::test {
+namespace rt::test::faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -220,4 +220,4 @@ TEST(Product, KnowsNothingOfFaults) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::faults_test

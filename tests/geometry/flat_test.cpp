@@ -4,7 +4,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/quad.h"
 
-namespace rt::test {
+namespace rt::test::flat_test {
 namespace {
 
 constexpr int rounds = 30000;
@@ -229,4 +229,4 @@ TEST(Polygon, HalvesOfAnOutlineThatCrossesItselfDoNotCancelThePlane) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::flat_test

@@ -6,7 +6,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/check_hits.h"
 
-namespace rt::test {
+namespace rt::test::further_shapes_test {
 namespace {
 
 using testing::DoubleNear;
@@ -218,4 +218,4 @@ TEST(Outlines, HolesAreOutside) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::further_shapes_test

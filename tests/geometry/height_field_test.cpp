@@ -7,7 +7,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/check_hits.h"
 
-namespace rt::test {
+namespace rt::test::height_field_test {
 namespace {
 
 using testing::ElementsAre;
@@ -139,4 +139,4 @@ TEST(HeightFields, SurviveAnyRay) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::height_field_test

@@ -6,7 +6,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/check_hits.h"
 
-namespace rt::test {
+namespace rt::test::hits_test {
 namespace {
 
 TEST(Hits, ParityIsTheInside) {
@@ -42,4 +42,4 @@ TEST(Hits, SheetsHaveNoInside) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::hits_test

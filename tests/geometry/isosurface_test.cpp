@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::isosurface_test {
 namespace {
 
 using Op = Function::Op;
@@ -161,4 +161,4 @@ TEST(Isosurface, EndsWhateverItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::isosurface_test

@@ -5,7 +5,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/check_hits.h"
 
-namespace rt::test {
+namespace rt::test::polynomial_surface_test {
 namespace {
 
 using testing::DoubleNear;
@@ -179,4 +179,4 @@ TEST(Quadric, NamesAreThoseOfTheFile) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::polynomial_surface_test

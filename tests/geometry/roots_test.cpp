@@ -8,7 +8,7 @@
 
 #include "tests/geometry/sturm.h"
 
-namespace rt::test {
+namespace rt::test::roots_test {
 namespace {
 
 using testing::DoubleNear;
@@ -134,4 +134,4 @@ TEST(Roots, AgreeWithSturmCounts) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::roots_test

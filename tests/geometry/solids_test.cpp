@@ -7,7 +7,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/quad.h"
 
-namespace rt::test {
+namespace rt::test::solids_test {
 namespace {
 
 struct Stretch {
@@ -237,4 +237,4 @@ TEST(Box, OriginOnASlabPlaneGivesNoNan) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::solids_test

@@ -5,7 +5,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/check_hits.h"
 
-namespace rt::test {
+namespace rt::test::sphere_sweep_test {
 namespace {
 
 using testing::DoubleNear;
@@ -128,4 +128,4 @@ TEST(SphereSweeps, SurviveAnyRay) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::sphere_sweep_test

@@ -6,7 +6,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/quad.h"
 
-namespace rt::test {
+namespace rt::test::surface_test {
 namespace {
 
 constexpr double inf = infinity;
@@ -148,4 +148,4 @@ TEST(Surface, RaysThatAreNotNumbersHitNothing) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::surface_test

@@ -7,7 +7,7 @@
 #include "geometry/blob.h"
 #include "geometry/mesh.h"
 
-namespace rt {
+namespace rt::texture_weight_test {
 namespace {
 
 using testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(BlobTextures, FieldsAreThoseOfComponentsWhereTheyWereMoved) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::texture_weight_test

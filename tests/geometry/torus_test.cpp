@@ -6,7 +6,7 @@
 #include "geometry/torus.h"
 #include "tests/geometry/sturm.h"
 
-namespace rt::test {
+namespace rt::test::torus_test {
 namespace {
 
 /// (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) along a line.
@@ -125,4 +125,4 @@ TEST(Torus, NegativeMajorRadiusIsSeenThroughADrum) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::torus_test

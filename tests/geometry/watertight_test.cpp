@@ -4,7 +4,7 @@
 #include "geometry/shape.h"
 #include "tests/geometry/quad.h"
 
-namespace rt::test {
+namespace rt::test::watertight_test {
 namespace {
 
 /// A closed ball of triangles, stretched by `scale`: with unequal scales its facets are needles.
@@ -97,4 +97,4 @@ TEST(Watertight, NoRayLeavesAClosedConeOrBox) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::watertight_test

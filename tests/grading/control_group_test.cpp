@@ -7,7 +7,7 @@
 
 #include "tests/grading/place.h"
 
-namespace rt {
+namespace rt::control_group_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(Groups, WhatADeadGraderLeftIsRemoved) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::control_group_test

@@ -8,7 +8,7 @@
 #include "core/source.h"
 #include "tests/grading/pictures.h"
 
-namespace rt {
+namespace rt::difference_test {
 namespace {
 
 using test::picture;
@@ -137,4 +137,4 @@ TEST(DifferencePicture, ShowsScaledAbsoluteDifferences) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::difference_test

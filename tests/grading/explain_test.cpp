@@ -7,7 +7,7 @@
 
 #include "grading/explain_rules.h"
 
-namespace rt {
+namespace rt::explain_test {
 namespace {
 
 constexpr double tolerance = 1e-4;
@@ -260,4 +260,4 @@ TEST(Explain, RecordsOfManyRaysInARowAreWalked) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::explain_test

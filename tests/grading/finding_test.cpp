@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::finding_test {
 namespace {
 
 using testing::ElementsAre;
@@ -48,4 +48,4 @@ TEST(Finding, WithoutACauseTheNearestTwoAreTold) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::finding_test

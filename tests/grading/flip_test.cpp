@@ -10,7 +10,7 @@
 
 #include "grading/difference.h"
 
-namespace rt {
+namespace rt::flip_test {
 namespace {
 
 using Real = long double;
@@ -252,4 +252,4 @@ TEST(Flip, AgreesWithItsAuthorsProgramOnCoursePictures) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::flip_test

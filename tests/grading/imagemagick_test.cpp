@@ -11,7 +11,7 @@
 #include "grading/difference.h"
 #include "tests/grading/pictures.h"
 
-namespace rt {
+namespace rt::imagemagick_test {
 namespace {
 
 /// Netpbm's "portable arbitrary map", which holds every kind of picture there is here.
@@ -84,4 +84,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ImageMagick,
                                           testing::Values(255, 65535)));
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::imagemagick_test

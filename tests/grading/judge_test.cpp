@@ -6,7 +6,7 @@
 #include "grading/judge.h"
 #include "tests/grading/pictures.h"
 
-namespace rt {
+namespace rt::judge_test {
 namespace {
 
 constexpr int side = 40;
@@ -165,4 +165,4 @@ TEST(Judge, QuotesNoLongAndNoStrangeFields) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::judge_test

@@ -11,7 +11,7 @@
 
 #include "tests/grading/place.h"
 
-namespace rt {
+namespace rt::keeper_test {
 namespace {
 
 using test::described;
@@ -148,4 +148,4 @@ TEST(Containment, ABubblewrapThatFailsIsNoneAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::keeper_test

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::mutations_test {
 namespace {
 
 using testing::ElementsAre;
@@ -34,4 +34,4 @@ TEST(Mutations, TheLastDigitBehindAPointChanges) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::mutations_test

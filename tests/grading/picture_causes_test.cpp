@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-namespace rt {
+namespace rt::picture_causes_test {
 namespace {
 
 float rounded(float v) { return std::round(255.0f * std::clamp(v, 0.0f, 1.0f)) / 255.0f; }
@@ -154,4 +154,4 @@ TEST(PictureCauses, NoiseIsRoughAndASurfaceIsNot) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::picture_causes_test

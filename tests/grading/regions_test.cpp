@@ -5,7 +5,7 @@
 #include "grading/regions.h"
 #include "tests/grading/pictures.h"
 
-namespace rt {
+namespace rt::regions_test {
 namespace {
 
 constexpr int width = 20, height = 12;
@@ -79,4 +79,4 @@ TEST(Neighbourhood, IsTakenBothWays) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::regions_test

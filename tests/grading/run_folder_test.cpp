@@ -9,7 +9,7 @@
 
 #include "tests/grading/place.h"
 
-namespace rt {
+namespace rt::run_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST_F(RunFolder, WhatAllTakesIsCounted) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::run_folder_test

@@ -14,7 +14,7 @@
 #include "grading/run_folder.h"
 #include "tests/grading/place.h"
 
-namespace rt {
+namespace rt::sandbox_test {
 namespace {
 
 using test::described;
@@ -293,4 +293,4 @@ constexpr Machine machines[] = {
 INSTANTIATE_TEST_SUITE_P(On, Sandbox, testing::ValuesIn(machines), [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::sandbox_test

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace rt {
+namespace rt::text_alignment_test {
 namespace {
 
 using testing::ElementsAre;
@@ -69,4 +69,4 @@ TEST(AlignedLines, OfLongTextsArePairedByTheirOrder) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::text_alignment_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::text_causes_test {
 namespace {
 
 const char* const expected = "Pixel: [1, 2]\nRay: {0.0000 0.0000 14.0000} -> {0.1234 -0.5000 0.8575}\nT = 9.3750\nColor: (12, 30, 255)\n";
@@ -46,4 +46,4 @@ TEST(TextCause, Words) {
 TEST(TextCause, DigitsOfNamesAreNoNumbers) { EXPECT_EQ(text_cause("light1 2.0\n", "light2 2.0\n").cause, "other words"); }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::text_causes_test

@@ -8,7 +8,7 @@
 
 #include "grading/text_difference.h"
 
-namespace rt {
+namespace rt::text_difference_test {
 namespace {
 
 TEST(TextDifference, BlanksAndBlankLinesDoNotMatter) {
@@ -84,4 +84,4 @@ TEST(TextDifference, SaysWhatDiffSays) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::text_difference_test

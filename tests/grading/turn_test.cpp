@@ -14,7 +14,7 @@
 
 #include "grading/turn.h"
 
-namespace rt {
+namespace rt::turn_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ TEST_F(Turns, NothingButAFileOfOurOwnIsAPlace) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::turn_test

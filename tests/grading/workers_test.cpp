@@ -12,7 +12,7 @@
 #include "core/source.h"
 #include "grading/workers.h"
 
-namespace rt {
+namespace rt::workers_test {
 namespace {
 
 const std::atomic<bool> never{false};
@@ -103,4 +103,4 @@ TEST(Workers, ALongComplaintEndsWithAWholeCharacter) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::workers_test

@@ -13,6 +13,7 @@
 
 #include "film/image_file.h"
 
+namespace closed_form_test {
 namespace {
 
 struct Colour {
@@ -173,3 +174,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ClosedForm,
                          [](const auto& info) { return std::string(info.param.scene); });
 
 }  // namespace
+}  // namespace closed_form_test

@@ -5,6 +5,7 @@
 
 #include "tests/extremes/geometry/verdict.h"
 
+namespace extreme_geometry_test {
 namespace {
 
 using namespace rt::extremes;
@@ -101,3 +102,4 @@ TEST(GeometryCount, APixelThatIsNoNumberIsNotRight) {
 }
 
 }  // namespace
+}  // namespace extreme_geometry_test

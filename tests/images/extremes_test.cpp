@@ -5,6 +5,7 @@
 
 #include "tests/extremes/judgement.h"
 
+namespace extremes_test {
 namespace {
 
 using rt::extremes::Judgement;
@@ -52,3 +53,4 @@ TEST(Extremes, TextbookFormulasInSinglePrecisionFail) {
 }
 
 }  // namespace
+}  // namespace extremes_test

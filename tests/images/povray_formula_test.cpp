@@ -15,6 +15,7 @@
 
 #include "film/image_file.h"
 
+namespace povray_formula_test {
 namespace {
 
 constexpr double peak_level = 0.9;     // of the brightest pixel in POV-Ray's picture; functions from 1 on would wrap
@@ -244,3 +245,4 @@ TEST(PovrayFormula, NoticesMistakes) {
 }
 
 }  // namespace
+}  // namespace povray_formula_test

@@ -11,6 +11,7 @@
 
 #include "film/image_file.h"
 
+namespace reference_test {
 namespace {
 
 constexpr float step = 2.0f;          // of 65535: the rounding of two programs
@@ -66,3 +67,4 @@ INSTANTIATE_TEST_SUITE_P(Pictures, Reference, testing::ValuesIn(recipes()), [](c
 });
 
 }  // namespace
+}  // namespace reference_test

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+namespace staleness_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,3 +94,4 @@ TEST(Scenes, OpenWithAComment) {
 }
 
 }  // namespace
+}  // namespace staleness_test

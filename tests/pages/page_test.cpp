@@ -9,7 +9,7 @@
 
 #include "pages/assets.h"
 
-namespace rt {
+namespace rt::page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ TEST(Page, NamesWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::page_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace rt {
+namespace rt::checker_test {
 namespace {
 
 TEST(Checker, ParityOfTheUnitCube) {
@@ -28,4 +28,4 @@ TEST(Checker, FarAwayItIsStillZeroOrOne) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::checker_test

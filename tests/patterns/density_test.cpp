@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rt {
+namespace rt::density_test {
 namespace {
 
 std::string header(char x, char y, char z) { return {0, x, 0, y, 0, z}; }
@@ -44,4 +44,4 @@ TEST(Density, OutsideTheCubeItIsZero) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::density_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-namespace rt {
+namespace rt::map_test {
 namespace {
 
 constexpr std::array<double, 4> positions{0.2, 0.5, 0.5, 0.9};
@@ -67,4 +67,4 @@ TEST(Map, BuiltInColoursOfCells) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::map_test

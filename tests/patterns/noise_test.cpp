@@ -9,7 +9,7 @@
 #include "patterns/hash.h"
 #include "patterns/pattern.h"
 
-namespace rt {
+namespace rt::noise_test {
 namespace {
 
 const Vec3 p{.37, -.81, 1.23};
@@ -102,4 +102,4 @@ TEST(Noise, WaveSources) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::noise_test

@@ -9,7 +9,7 @@
 #include "patterns/perturb.h"
 #include "tests/patterns/cases.h"
 
-namespace rt {
+namespace rt::pattern_test {
 namespace {
 
 constexpr int last_kind = static_cast<int>(PatternKind::wrinkles);
@@ -201,4 +201,4 @@ TEST(Normal, ValuesComputedElsewhereTurnItAlike) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::pattern_test

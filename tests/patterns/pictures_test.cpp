@@ -13,7 +13,7 @@
 #include "tests/patterns/cases.h"
 #include "tests/patterns/picture_cases.h"
 
-namespace rt {
+namespace rt::pictures_test {
 namespace {
 
 /// Sixteen-bit red, green and blue of every point of the cap, by the case's text.
@@ -123,4 +123,4 @@ TEST(PatternPictures, AreThoseOfTheInstalledPovRay) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::pictures_test

@@ -12,7 +12,7 @@
 
 #include "tests/patterns/cases.h"
 
-namespace rt {
+namespace rt::values_test {
 namespace {
 
 using Values = std::map<std::string, std::vector<double>>;
@@ -97,4 +97,4 @@ TEST(PatternValues, AreThoseOfTheInstalledPovRay) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::values_test

@@ -7,7 +7,7 @@
 
 #include "tests/scene/checkers.h"
 
-namespace rt {
+namespace rt::scene_test {
 namespace {
 
 TEST(Scene, AListOfObjectsGrowsWithoutCopies) { EXPECT_TRUE(std::is_nothrow_move_constructible_v<Object>); }
@@ -23,4 +23,4 @@ TEST(Scene, PatternsAreSharedAndComparedByContent) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::scene_test

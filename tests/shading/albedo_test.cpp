@@ -8,7 +8,7 @@
 #include "shading/integrals.h"
 #include "shading/surface_model.h"
 
-namespace rt {
+namespace rt::albedo_test {
 namespace {
 
 // What albedo.h promises: the table is linear between 49 nodes at n.v = (i/48)^2. That is 0.002 where the albedo is smooth; between the
@@ -127,4 +127,4 @@ TEST(SurroundingsWeight, OfTheEffectsFormIsAsPrintedUpToItsLimit) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::albedo_test

@@ -6,7 +6,7 @@
 
 #include "shading/terms.h"
 
-namespace rt {
+namespace rt::energy_test {
 namespace {
 
 /// D of tan^2.
@@ -136,4 +136,4 @@ TEST(Energy, MaskingOfAnotherDistributionIsOff) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::energy_test

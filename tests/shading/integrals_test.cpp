@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::integrals_test {
 namespace {
 
 TEST(Integrals, normalised_distributions_integrate_to_one) {
@@ -43,4 +43,4 @@ TEST(Integrals, directional_albedo) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::integrals_test

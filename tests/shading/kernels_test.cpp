@@ -6,7 +6,7 @@
 #include <bit>
 #include <random>
 
-namespace rt {
+namespace rt::kernels_test {
 namespace {
 
 using Specular = SurfaceModel::Specular;
@@ -105,4 +105,4 @@ TEST(Kernels, TheDiffuseShareIsWhatTheHighlightLeaves) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::kernels_test

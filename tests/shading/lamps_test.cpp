@@ -5,7 +5,7 @@
 
 #include "shading/models.h"
 
-namespace rt {
+namespace rt::lamps_test {
 namespace {
 
 TEST(Lamps, ThinOutByTheirLaw) {
@@ -38,4 +38,4 @@ TEST(Lecture, DiffuseLightIsWhatTheOtherWeightsLeaveAndNeverNegative) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::lamps_test

@@ -9,7 +9,7 @@
 
 #include "tests/shading/csv.h"
 
-namespace rt {
+namespace rt::microfacet_test {
 namespace {
 
 using testing_csv::Table;
@@ -202,4 +202,4 @@ TEST(MicrofacetTables, degenerate_input) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::microfacet_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace rt {
+namespace rt::optics_test {
 namespace {
 
 Vec3 incoming(double degrees) { return {std::sin(radians(degrees)), -std::cos(radians(degrees)), 0.0}; }
@@ -84,4 +84,4 @@ TEST(DistanceFade, halves_at_the_stated_distance_and_follows_beer_from_1000) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::optics_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace rt {
+namespace rt::povray_finish_test {
 namespace {
 
 TEST(Opacity, follows_the_language_version) {
@@ -66,4 +66,4 @@ TEST(CubicStep, joins_0_to_1_and_is_hard_when_the_ends_are_exchanged) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::povray_finish_test

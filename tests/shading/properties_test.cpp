@@ -9,7 +9,7 @@
 #include "shading/models.h"
 #include "shading/optics.h"
 
-namespace rt {
+namespace rt::properties_test {
 namespace {
 
 constexpr double u = 0x1p-53;
@@ -301,4 +301,4 @@ TEST(ShadingProperties, DistributionsFallFromTheirPeak) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::properties_test

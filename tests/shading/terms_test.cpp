@@ -7,7 +7,7 @@
 
 #include "tests/shading/csv.h"
 
-namespace rt {
+namespace rt::terms_test {
 namespace {
 
 using testing_csv::Table;
@@ -95,4 +95,4 @@ TEST(Fresnel, the_modulus_keeps_its_digits_where_squares_leave_the_range) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::terms_test

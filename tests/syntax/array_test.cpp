@@ -3,7 +3,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::array_test {
 namespace {
 
 using Cases = std::vector<std::pair<std::string, std::string>>;
@@ -96,4 +96,4 @@ TEST(Array, MistakesAreNamedAsPovRayNamesThem) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::array_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blob_texture_test {
 namespace {
 
 using testing::ElementsAre;
@@ -87,4 +87,4 @@ TEST(BlobTextures, MoveWithWhatMovesTheComponentAfterThem) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blob_texture_test

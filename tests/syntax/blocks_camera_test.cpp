@@ -3,7 +3,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_camera_test {
 namespace {
 
 using testing::ElementsAre;
@@ -141,4 +141,4 @@ TEST(CameraBlock, FocalBlurIsNotModelledUnlessItIsNone) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_camera_test

@@ -5,7 +5,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_color_test {
 namespace {
 
 using testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST(Background, TakesAnyColourOrNone) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_color_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_curve_test {
 namespace {
 
 using testing::ElementsAre;
@@ -211,4 +211,4 @@ TEST(Texts, Letters) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_curve_test

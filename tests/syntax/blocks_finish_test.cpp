@@ -5,7 +5,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_finish_test {
 namespace {
 
 using testing::ElementsAre;
@@ -171,4 +171,4 @@ TEST(Choices, UnknownKeysAndMalformedOnesAreErrors) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_finish_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_height_field_test {
 namespace {
 
 using testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(HeightFieldBlock, CountsWhatAFunctionCosts) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_height_field_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_light_objects_test {
 namespace {
 
 using testing::ElementsAre;
@@ -222,4 +222,4 @@ TEST(LightGroup, TakesNothingElse) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_light_objects_test

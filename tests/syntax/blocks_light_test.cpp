@@ -3,7 +3,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_light_test {
 namespace {
 
 using testing::ElementsAre;
@@ -150,4 +150,4 @@ TEST(LightBlock, WhatIsNotModelled) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_light_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_mesh_test {
 namespace {
 
 using testing::ElementsAre;
@@ -163,4 +163,4 @@ TEST(Mesh2Block, ALongList) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_mesh_test

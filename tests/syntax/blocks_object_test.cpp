@@ -4,7 +4,7 @@
 #include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_object_test {
 namespace {
 
 using testing::ElementsAre;
@@ -172,4 +172,4 @@ TEST(Objects, ManyKeepTheirOrder) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_object_test

@@ -5,7 +5,7 @@
 #include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_pattern_test {
 namespace {
 
 using testing::ElementsAre;
@@ -299,4 +299,4 @@ TEST(ObjectPattern, Refusals) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_pattern_test

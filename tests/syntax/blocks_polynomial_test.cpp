@@ -3,7 +3,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_polynomial_test {
 namespace {
 
 using testing::ElementsAre;
@@ -53,4 +53,4 @@ TEST(Polynomials, SingleTerms) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_polynomial_test

@@ -11,7 +11,7 @@
 #include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_set_test {
 namespace {
 
 using testing::ElementsAre;
@@ -374,4 +374,4 @@ TEST(Sets, AreLimited) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_set_test

@@ -3,7 +3,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_settings_test {
 namespace {
 
 using testing::ElementsAre;
@@ -118,4 +118,4 @@ TEST(Statements, AnEmptySceneIsOneWithAWarning) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_settings_test

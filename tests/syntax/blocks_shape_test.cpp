@@ -3,7 +3,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_shape_test {
 namespace {
 
 using testing::ElementsAre;
@@ -165,4 +165,4 @@ TEST(Shapes, SpansNameTheWord) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_shape_test

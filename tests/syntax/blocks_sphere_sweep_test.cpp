@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_sphere_sweep_test {
 namespace {
 
 using testing::ElementsAre;
@@ -40,4 +40,4 @@ TEST(SphereSweepBlock, Mistakes) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_sphere_sweep_test

@@ -4,7 +4,7 @@
 #include "tests/scene/checkers.h"
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_texture_test {
 namespace {
 
 using testing::ElementsAre;
@@ -239,4 +239,4 @@ TEST(DeclaredTextures, AreKnownToTheDeclarationThatFollowsAtOnce) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_texture_test

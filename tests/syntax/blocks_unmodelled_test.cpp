@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::blocks_unmodelled_test {
 namespace {
 
 using testing::ElementsAre;
@@ -88,4 +88,4 @@ TEST(Nesting, IsLimited) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::blocks_unmodelled_test

@@ -2,7 +2,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::conditional_test {
 namespace {
 
 TEST(Conditional, TheRightBranchIsRead) {
@@ -114,4 +114,4 @@ TEST(Conditional, DirectivesInsideDirectivesAreALimitNotACrash) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::conditional_test

@@ -7,7 +7,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::cut_textures_test {
 namespace {
 
 using testing::ElementsAre;
@@ -133,4 +133,4 @@ TEST(CutTextures, EachTextureHasANumberInItsWhole) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::cut_textures_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::declare_test {
 namespace {
 
 constexpr const char* semicolon =
@@ -232,4 +232,4 @@ TEST(Option, DeclaresAndClock) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::declare_test

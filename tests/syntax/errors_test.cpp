@@ -8,7 +8,7 @@
 
 #include "syntax/parser.h"
 
-namespace rt {
+namespace rt::errors_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST(BadInputFolder, HasAtLeastSixtyRefusals) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::errors_test

@@ -9,7 +9,7 @@
 #include "syntax/reader.h"
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::expression_test {
 namespace {
 
 constexpr double inf = infinity;
@@ -356,4 +356,4 @@ TEST(Expression, DeepNestingIsALimitNotACrash) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::expression_test

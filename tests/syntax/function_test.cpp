@@ -6,7 +6,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::function_test {
 namespace {
 
 using Cases = std::vector<std::pair<std::string, std::string>>;
@@ -179,4 +179,4 @@ TEST(DeclaredSpline, IsCalledLikeAFunction) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::function_test

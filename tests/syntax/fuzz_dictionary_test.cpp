@@ -7,7 +7,7 @@
 
 #include "syntax/words.h"
 
-namespace rt {
+namespace rt::fuzz_dictionary_test {
 namespace {
 
 std::set<std::string> lines_of(const std::string& command) {
@@ -41,4 +41,4 @@ TEST(FuzzDictionary, HasEveryReservedWord) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::fuzz_dictionary_test

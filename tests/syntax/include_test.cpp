@@ -9,7 +9,7 @@
 #include "syntax/reader.h"
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::include_test {
 namespace {
 
 TEST(Include, ReadsTheFileWhereItStands) {
@@ -183,4 +183,4 @@ TEST_F(FilesOnDisk, InstalledColorsLoad) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::include_test

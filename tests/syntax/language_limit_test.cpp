@@ -6,7 +6,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::language_limit_test {
 namespace {
 
 std::string limit_text(const std::string& scene, const ParseOptions& options, const Files& files = {}) {
@@ -102,4 +102,4 @@ TEST(LanguageLimit, AChainOfFiftyIncludesIsNone) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::language_limit_test

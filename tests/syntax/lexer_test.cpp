@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-namespace rt {
+namespace rt::lexer_test {
 namespace {
 
 struct Scanned {
@@ -290,4 +290,4 @@ TEST(Lexer, RestartsAnywhere) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::lexer_test

@@ -9,7 +9,7 @@
 #include "core/source.h"
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::limits_test {
 namespace {
 
 /// A scene that has more than `value` of something.
@@ -71,4 +71,4 @@ TEST(SceneLimits, ThePlaceIsShown) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::limits_test

@@ -3,7 +3,7 @@
 
 #include "tests/syntax/expect_debug.h"
 
-namespace rt {
+namespace rt::loop_test {
 namespace {
 
 TEST(While, RepeatsAsLongAsItsConditionHolds) {
@@ -99,4 +99,4 @@ TEST(Loop, MistakesAreNamedAsPovRayNamesThem) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::loop_test

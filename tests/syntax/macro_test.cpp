@@ -4,7 +4,7 @@
 
 #include "tests/syntax/expect_debug.h"
 
-namespace rt {
+namespace rt::macro_test {
 namespace {
 
 TEST(Macro, BodiesAreSkippedUntilUsed) {
@@ -121,4 +121,4 @@ TEST(Macro, MistakesInsideArePointedAtInTheBody) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::macro_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/blocks_scene.h"
 
-namespace rt {
+namespace rt::mesh_texture_test {
 namespace {
 
 using testing::ElementsAre;
@@ -165,4 +165,4 @@ TEST(MeshTextures, NeighboursShareEqualOnes) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::mesh_texture_test

@@ -4,7 +4,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::nesting_test {
 namespace {
 
 std::string repeated(const std::string& part, int count) {
@@ -114,4 +114,4 @@ TEST(Nesting, SkippedBlocksMayBeDeeper) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::nesting_test

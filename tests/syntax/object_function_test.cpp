@@ -5,7 +5,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::object_function_test {
 namespace {
 
 struct Boxed {
@@ -245,4 +245,4 @@ TEST(ObjectFunctions, AreLimited) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::object_function_test

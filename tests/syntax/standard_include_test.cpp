@@ -6,7 +6,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::standard_include_test {
 namespace {
 
 const std::filesystem::path folder = "/usr/share/povray-3.7/include";
@@ -49,4 +49,4 @@ TEST(StandardInclude, AllTogetherCanBeRead) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::standard_include_test

@@ -3,7 +3,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::string_test {
 namespace {
 
 TEST(String, FunctionsOfEveryKind) {
@@ -76,4 +76,4 @@ TEST(String, DoublingEndsAtALimit) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::string_test

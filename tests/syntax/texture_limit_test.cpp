@@ -6,7 +6,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::texture_limit_test {
 namespace {
 
 /// `first`, then `count` declarations; `next` has {0} for the name before and {1} for the new one.
@@ -135,4 +135,4 @@ TEST(TextureLimit, ManyLayersAreRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::texture_limit_test

@@ -7,7 +7,7 @@
 
 #include "tests/syntax/read_scene.h"
 
-namespace rt {
+namespace rt::user_file_test {
 namespace {
 
 const Files files{{"pairs.txt", "\"x\",1,\n\"y\",2.5,\n\"z\",-3\n"},
@@ -130,4 +130,4 @@ TEST_F(UserFileOnDisk, NothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::user_file_test

@@ -7,7 +7,7 @@
 
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::camera_test {
 namespace {
 
 CameraBasis basis_of(Projection projection, std::optional<double> angle = {}) {
@@ -87,4 +87,4 @@ TEST(WideCamera, TheAngleOfAPixelIsThatOfItsMiddle) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::camera_test

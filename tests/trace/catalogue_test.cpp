@@ -5,7 +5,7 @@
 #include "shading/surface_model.h"
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::catalogue_test {
 namespace {
 
 using namespace tracer_test;
@@ -352,4 +352,4 @@ TEST(Catalogue, a_lamp_at_the_point_or_a_wild_sigma_is_no_number_lost) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::catalogue_test

@@ -6,7 +6,7 @@
 #include "trace/course_surface.h"
 #include "trace/pixel_rays.h"
 
-namespace rt {
+namespace rt::course_test {
 namespace {
 
 using namespace tracer_test;
@@ -380,4 +380,4 @@ TEST(CourseTracer, ManyRaysBringWhatEachBringsAndTheRecordAddsUp) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::course_test

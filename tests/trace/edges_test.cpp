@@ -6,7 +6,7 @@
 #include "tests/trace/tracer_scene.h"
 #include "trace/render.h"
 
-namespace rt {
+namespace rt::edges_test {
 namespace {
 
 using namespace tracer_test;
@@ -231,4 +231,4 @@ TEST(Edges, AGridDrawsTheLineOfALargerPicture) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::edges_test

@@ -10,7 +10,7 @@
 #include "film/enlarge.h"
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::enlarged_test {
 namespace {
 
 const World& world() {
@@ -159,4 +159,4 @@ TEST(Scale, ThePictureItselfMustFitInMemory) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::enlarged_test

@@ -8,7 +8,7 @@
 #include "core/source.h"
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::environment_test {
 namespace {
 
 using namespace tracer_test;
@@ -87,4 +87,4 @@ TEST(Environment, is_what_mirrors_and_the_camera_see_instead_of_the_background) 
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::environment_test

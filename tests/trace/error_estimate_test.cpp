@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace rt {
+namespace rt::error_estimate_test {
 namespace {
 
 Encoding plain(bool alpha = false) {
@@ -113,4 +113,4 @@ TEST(SampledPicture, APixelBeyondHelpDoesNotCostTheOthersTheirSamples) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::error_estimate_test

@@ -5,7 +5,7 @@
 #include "tests/trace/tracer_scene.h"
 #include "trace/render.h"
 
-namespace rt {
+namespace rt::finite_test {
 namespace {
 
 using namespace tracer_test;
@@ -119,4 +119,4 @@ TEST(EveryVariant, MakesNumbers) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::finite_test

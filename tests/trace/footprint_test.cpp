@@ -5,7 +5,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::footprint_test {
 namespace {
 
 using namespace tracer_test;
@@ -85,4 +85,4 @@ TEST(Footprint, leaves_the_tail_of_a_lobe_nearly_as_it_is) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::footprint_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace rt {
+namespace rt::pixel_points_test {
 namespace {
 
 TEST(PixelPoints, TheFirstIsTheCentre) {
@@ -46,4 +46,4 @@ TEST(PixelPoints, NeighboursHaveOthers) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::pixel_points_test

@@ -5,7 +5,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::pixel_rays_test {
 namespace {
 
 std::vector<PixelPlace> every_third(int width, int height) {
@@ -121,4 +121,4 @@ TEST(PixelRays, FollowsFewRaysUnlessASampleBringsMany) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::pixel_rays_test

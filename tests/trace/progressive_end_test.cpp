@@ -8,7 +8,7 @@
 #include "tests/trace/tracer_scene.h"
 #include "trace/progressive.h"
 
-namespace rt {
+namespace rt::progressive_end_test {
 namespace {
 
 const World& world() {
@@ -126,4 +126,4 @@ TEST(ProgressiveEnd, WhatIsNotFiniteIsBlackAndCounted) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::progressive_end_test

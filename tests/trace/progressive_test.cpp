@@ -11,7 +11,7 @@
 #include "tests/trace/tracer_scene.h"
 #include "trace/error_estimate.h"
 
-namespace rt {
+namespace rt::progressive_test {
 namespace {
 
 /// Under one light, seen by the same camera.
@@ -235,4 +235,4 @@ TEST(Progressive, AnEndOfSamplesIsTold) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::progressive_test

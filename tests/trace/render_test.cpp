@@ -14,7 +14,7 @@
 #include "core/source.h"
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::render_test {
 namespace {
 
 using testing::HasSubstr;
@@ -251,4 +251,4 @@ TEST(Workers, StacksAreDeep) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::render_test

@@ -12,7 +12,7 @@
 #include "tests/trace/tracer_scene.h"
 #include "trace/pixel_rays.h"
 
-namespace rt {
+namespace rt::rounding_test {
 namespace {
 
 constexpr std::array all{Rounding::nearest, Rounding::downward, Rounding::upward, Rounding::toward_zero};
@@ -160,4 +160,4 @@ TEST(Rounding, IsBorneByTheMathematicalLibrary) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::rounding_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace rt {
+namespace rt::sampling_test {
 namespace {
 
 /// Discs of several brightnesses, one beyond white and one nearly as the background, and a straight edge.
@@ -259,4 +259,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, Stopping,
                                          Sampling::Method::povray2));
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::sampling_test

@@ -3,7 +3,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::shape_textures_test {
 namespace {
 
 using namespace tracer_test;
@@ -164,4 +164,4 @@ TEST(ShapeTextures, PatternsSeeTheFacesOwnCoordinates) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::shape_textures_test

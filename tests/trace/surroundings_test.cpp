@@ -4,7 +4,7 @@
 #include "shading/integrals.h"
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::surroundings_test {
 namespace {
 
 using namespace tracer_test;
@@ -188,4 +188,4 @@ TEST(Environment, behind_glass_reflects_totally_beyond_the_critical_angle_only) 
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::surroundings_test

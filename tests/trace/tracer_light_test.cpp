@@ -4,7 +4,7 @@
 #include "tests/trace/tracer_scene.h"
 #include "trace/light_source.h"
 
-namespace rt {
+namespace rt::tracer_light_test {
 namespace {
 
 using namespace tracer_test;
@@ -306,4 +306,4 @@ TEST(AreaLight, area_illumination_adds_each_sample_s_own_direction) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::tracer_light_test

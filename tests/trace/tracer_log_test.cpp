@@ -6,7 +6,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::tracer_log_test {
 namespace {
 
 using namespace tracer_test;
@@ -138,4 +138,4 @@ TEST(Tracer, no_finish_light_or_interior_makes_a_nan) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::tracer_log_test

@@ -4,7 +4,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::tracer_path_test {
 namespace {
 
 using namespace tracer_test;
@@ -313,4 +313,4 @@ TEST(Limits, deepest_recursion_and_endless_glass_fit_a_small_stack) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::tracer_path_test

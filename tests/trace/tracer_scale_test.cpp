@@ -3,7 +3,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::tracer_scale_test {
 namespace {
 
 using namespace tracer_test;
@@ -138,4 +138,4 @@ TEST(ScaledDistances, an_open_smooth_face_does_not_shadow_itself) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::tracer_scale_test

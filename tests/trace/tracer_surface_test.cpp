@@ -3,7 +3,7 @@
 
 #include "tests/trace/tracer_scene.h"
 
-namespace rt {
+namespace rt::tracer_surface_test {
 namespace {
 
 using namespace tracer_test;
@@ -212,4 +212,4 @@ TEST(Quality, quick_colours_stand_for_pigments_up_to_5) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::tracer_surface_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::body_probe_test {
 namespace {
 
 Object object(Shape shape, bool inverse = false) {
@@ -74,4 +74,4 @@ TEST(BodyProbe, ContainsWhatAnyOfItsObjectsContains) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::body_probe_test

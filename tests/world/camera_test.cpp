@@ -4,7 +4,7 @@
 
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::camera_test {
 namespace {
 
 using testing::HasSubstr;
@@ -158,4 +158,4 @@ TEST(Camera, RefusesWhatHasNoDirection) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::camera_test

@@ -12,7 +12,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace rt {
+namespace rt::compile_test {
 namespace {
 
 Object with_color(const Shape& shape, const PigmentColor& color, const Finish& finish = {}) {
@@ -392,4 +392,4 @@ TEST(Compile, ExtentAndSizeAreThoseOfTheBoundedSurfaces) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::compile_test

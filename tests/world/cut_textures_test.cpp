@@ -7,7 +7,7 @@
 #include "tests/world/random_scene.h"
 #include "world/surface_index.h"
 
-namespace rt {
+namespace rt::cut_textures_test {
 namespace {
 
 using Kind = SetNode::Kind;
@@ -143,4 +143,4 @@ TEST(CutTextures, AnyShapeMayCut) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::cut_textures_test

@@ -5,7 +5,7 @@
 #include "tests/world/random_scene.h"
 #include "world/surface_index.h"
 
-namespace rt {
+namespace rt::gates_test {
 namespace {
 
 using Kind = SetNode::Kind;
@@ -197,4 +197,4 @@ TEST(Gates, BoundsThatHoldAllOfAnObjectMakeNoPartOfIt) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::gates_test

@@ -11,7 +11,7 @@
 #include "tests/world/random_scene.h"
 #include "world/surface_index.h"
 
-namespace rt {
+namespace rt::index_rounding_test {
 namespace {
 
 /// RAYTRACE_DEEP=1 casts a hundred times the rays.
@@ -97,4 +97,4 @@ TEST_P(EveryRounding, NoRayLeavesAClosedMeshThroughEdgesOrVertices) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::index_rounding_test

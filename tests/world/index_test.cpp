@@ -8,7 +8,7 @@
 #include "tests/world/random_scene.h"
 #include "world/surface_index.h"
 
-namespace rt {
+namespace rt::index_test {
 namespace {
 
 /// RAYTRACE_DEEP=1 casts a hundred times the rays.
@@ -339,4 +339,4 @@ TEST(Index, AHugeGroundDoesNotBlurTheRest) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::index_test

@@ -7,7 +7,7 @@
 
 #include "tests/scene/checkers.h"
 
-namespace rt {
+namespace rt::material_table_test {
 namespace {
 
 /// A checker of two colours: three pigments.
@@ -106,4 +106,4 @@ TEST(AlbedoTables, AreMadeOncePerLobeAndOnlyWhereTheyAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::material_table_test

@@ -5,7 +5,7 @@
 #include "tests/scene/checkers.h"
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::material_test {
 namespace {
 
 using testing::HasSubstr;
@@ -212,4 +212,4 @@ TEST(Interior, OpaqueObjectsWithoutOneShareTheFirst) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::material_test

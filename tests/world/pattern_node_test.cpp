@@ -7,7 +7,7 @@
 #include "world/compile_pigment.h"
 #include "world/normal_node.h"
 
-namespace rt {
+namespace rt::pattern_node_test {
 namespace {
 
 /// Value `count` of a source at (x, y, z).
@@ -93,4 +93,4 @@ TEST(ObjectPattern, IsOneInsideAndZeroOutside) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::pattern_node_test

@@ -9,7 +9,7 @@
 #include "tests/world/random_scene.h"
 #include "world/surface_index.h"
 
-namespace rt {
+namespace rt::sets_test {
 namespace {
 
 using Kind = SetNode::Kind;
@@ -315,4 +315,4 @@ TEST(Sets, ACameraInsideIsInsideOnce) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::sets_test

@@ -8,7 +8,7 @@
 
 #include "tests/scene/checkers.h"
 
-namespace rt {
+namespace rt::texture_hash_test {
 namespace {
 
 std::vector<Texture> with(const StatedPattern& pattern, const std::vector<double>& values, const Bump& bump) {
@@ -63,4 +63,4 @@ TEST(TextureHash, EveryNumberCounts) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::texture_hash_test

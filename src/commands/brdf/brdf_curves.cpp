@@ -6,12 +6,12 @@ namespace rt {
 
 namespace {
 
-const Vec3 normal(0, 0, 1);
+const Vec3 plane_normal(0, 0, 1);
 
 /// In the plane of incidence; the horizon itself is below the surface.
 Vec3 direction(double degrees) { return {std::sin(radians(degrees)), 0.0, std::fabs(degrees) < 90.0 ? std::cos(radians(degrees)) : 0.0}; }
 
-ViewedPoint point_seen_from(double view_degrees) { return viewed_point(normal, direction(-view_degrees), true); }
+ViewedPoint point_seen_from(double view_degrees) { return viewed_point(plane_normal, direction(-view_degrees), true); }
 
 }  // namespace
 

@@ -26,7 +26,7 @@ std::string_view without_blanks(std::string_view text) {
 }
 
 /// What a message shows of a cell.
-std::string shown(std::string_view cell) { return printable(cell, 40); }
+std::string readable(std::string_view cell) { return printable(cell, 40); }
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void BrdfTable::add(Line line) {
         header_ = lines_.size();
         if (line.cells.size() > most_columns) throw LimitError(fmt::format("{}: more than {} columns", name_, most_columns));
         for (auto cell = line.cells.begin(); cell != line.cells.end(); ++cell)
-            if (std::find(line.cells.begin(), cell, *cell) != cell) fail(line, fmt::format("column '{}' appears twice", shown(*cell)));
+            if (std::find(line.cells.begin(), cell, *cell) != cell) fail(line, fmt::format("column '{}' appears twice", readable(*cell)));
     } else if (line.kind == Line::Kind::row && line.cells.size() != header().cells.size()) {
         fail(line, fmt::format("{} cells under a header of {}", line.cells.size(), header().cells.size()));
     }
@@ -71,7 +71,7 @@ std::size_t BrdfTable::column(std::string_view column) const {
     const auto found = std::find(names.begin(), names.end(), column);
     if (found == names.end()) {
         std::vector<std::string> known;
-        for (const std::string_view name : names) known.push_back(shown(name));
+        for (const std::string_view name : names) known.push_back(readable(name));
         fail(header(), fmt::format("no column '{}'{}", column, did_you_mean(column, known)));
     }
     return static_cast<std::size_t>(found - names.begin());
@@ -85,13 +85,13 @@ double BrdfRow::any_double(std::string_view column) const {
     const std::string cell(text(column));
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);  // from_chars would refuse what is beyond the range of doubles
-    if (cell.empty() || end != cell.c_str() + cell.size()) fail(fmt::format("column '{}': '{}' is not a number", column, shown(cell)));
+    if (cell.empty() || end != cell.c_str() + cell.size()) fail(fmt::format("column '{}': '{}' is not a number", column, readable(cell)));
     return value;
 }
 
 double BrdfRow::number(std::string_view column, const Domain& its) const {
     const double value = any_double(column);
-    if (!its.holds(value)) fail(fmt::format("column '{}': expected {} instead of '{}'", column, its.words, shown(text(column))));
+    if (!its.holds(value)) fail(fmt::format("column '{}': expected {} instead of '{}'", column, its.words, readable(text(column))));
     return value;
 }
 

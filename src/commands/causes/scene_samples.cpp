@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t most_samples = 4000, fewest_samples = 300;
 constexpr double most_unlike = 0.25;            ///< share of pixels in which ours is not as expected, and which are left out
-constexpr double rays_of_all_variants = 1.2e6;  ///< in which a test's variants are traced: about a second
-constexpr double variants = 40.0;
+constexpr double rays_of_all_variants = 1.2e6;  ///< in which a test's traced_variants are traced: about a second
+constexpr double traced_variants = 40.0;
 constexpr std::size_t many_objects = 20'000;  ///< building them anew for a variant takes longer than its rays
 
 Rgb mean_light(Tracer& tracer, const std::vector<Ray>& rays) {
@@ -69,7 +69,7 @@ std::size_t SceneSamples::affordable(Tracer& tracer, const ColorPicture& picture
     const RayCounts& c = tracer.counts();
     const double rays = static_cast<double>(c.camera + c.shadow + c.reflected + c.refracted) / static_cast<double>(probes);
     return static_cast<std::size_t>(
-        std::clamp(rays_of_all_variants / variants / rays, static_cast<double>(fewest_samples), static_cast<double>(most_samples)));
+        std::clamp(rays_of_all_variants / traced_variants / rays, static_cast<double>(fewest_samples), static_cast<double>(most_samples)));
 }
 
 bool SceneSamples::choose(const ColorPicture& expected, const ColorPicture& actual) {

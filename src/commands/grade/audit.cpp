@@ -18,7 +18,7 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1u << 28;
+constexpr std::size_t most_audit_bytes = 1u << 28;
 
 struct WrongPicture {
     StoredImage image;
@@ -104,7 +104,7 @@ void note(AuditLine& line, const TestCase& test, const Result& result, bool same
         ++line.noticed;
 }
 
-std::vector<std::string> shown(const std::vector<std::string>& names) {
+std::vector<std::string> some_of(const std::vector<std::string>& names) {
     std::vector<std::string> lines;
     for (const std::string& name : names) lines.push_back(printable(name, 200));
     return lines;
@@ -129,7 +129,7 @@ void audit_picture(const Suite& suite, const TestCase& test, std::vector<AuditLi
 }
 
 void audit_text(const TestCase& test, AuditLine& line) {
-    const std::optional<std::string> right = read_file_text(test.expected, most_bytes);
+    const std::optional<std::string> right = read_file_text(test.expected, most_audit_bytes);
     if (!right)
         throw OptionError(
             fmt::format("test '{}': cannot read the expected text '{}'", printable(test.name, 200), printable(test.expected)));
@@ -156,8 +156,8 @@ std::string audit_text(const std::vector<AuditLine>& lines) {
         const std::size_t all = line.noticed + line.blind.size();
         text += fmt::format("{:<24}", line.mistake);
         text += all ? fmt::format("{:>4} of {:>3} tests notice it", line.noticed, all) : "   no test has it";
-        if (!line.blind.empty()) text += fmt::format("; blind: {}", fmt::join(shown(line.blind), " "));
-        if (!line.unmoved.empty()) text += fmt::format("; it changes nothing in: {}", fmt::join(shown(line.unmoved), " "));
+        if (!line.blind.empty()) text += fmt::format("; blind: {}", fmt::join(some_of(line.blind), " "));
+        if (!line.unmoved.empty()) text += fmt::format("; it changes nothing in: {}", fmt::join(some_of(line.unmoved), " "));
         text += "\n";
     }
     return text;

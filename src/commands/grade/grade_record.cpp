@@ -19,10 +19,10 @@ using Json = nlohmann::ordered_json;
 constexpr const char* results_format = "raytrace results 1";
 constexpr const char* times_format = "raytrace times 1";
 constexpr const char* tests_format = "raytrace tests 1";
-constexpr std::size_t most_bytes = 1ull << 32;
+constexpr std::size_t most_record_bytes = 1ull << 32;
 
 Sources read(const fs::path& path) {
-    std::optional<std::string> text = read_file_text(path.string(), most_bytes);
+    std::optional<std::string> text = read_file_text(path.string(), most_record_bytes);
     if (!text) throw OptionError(fmt::format("cannot read '{}'", printable(path.string())));
     Sources sources;
     sources.add({path.string(), std::move(*text)});

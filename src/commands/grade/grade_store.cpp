@@ -7,13 +7,13 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1u << 26;
+constexpr std::size_t most_grade_bytes = 1u << 26;
 constexpr const char* cause_file = "cause.json";
 
 }  // namespace
 
 std::optional<Result> GradeStore::find(const std::string& key) const {
-    std::optional<std::string> text = read_file_text(entries_.path(key, "result.json"), most_bytes);
+    std::optional<std::string> text = read_file_text(entries_.path(key, "result.json"), most_grade_bytes);
     if (!text) return std::nullopt;
     Sources sources;
     sources.add({key, std::move(*text)});
@@ -36,7 +36,7 @@ void GradeStore::put(const std::string& key, const Result& result, const std::st
 }
 
 bool GradeStore::find_cause(const std::string& key, Result& result) const {
-    std::optional<std::string> text = read_file_text(entries_.path(key, cause_file), most_bytes);
+    std::optional<std::string> text = read_file_text(entries_.path(key, cause_file), most_grade_bytes);
     if (!text) return false;
     Sources sources;
     sources.add({key, std::move(*text)});

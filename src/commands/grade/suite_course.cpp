@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 1u << 26;
+constexpr std::size_t most_suite_bytes = 1u << 26;
 
 std::string text_of(const fs::path& path) {
-    std::optional<std::string> text = read_file_text(path.string(), most_bytes);
+    std::optional<std::string> text = read_file_text(path.string(), most_suite_bytes);
     if (!text) throw OptionError(fmt::format("cannot read '{}'", printable(path.string())));
     return std::move(*text);
 }
@@ -41,7 +41,7 @@ bool is_there(const fs::path& path) {
 }
 
 /// "test2" before "test10".
-bool in_order(const std::string& a, const std::string& b) {
+bool comes_before(const std::string& a, const std::string& b) {
     const auto key = [](const std::string& name) {
         const std::size_t digits = std::min(name.find_last_not_of("0123456789") + 1, name.size());
         const std::string number = name.substr(digits);
@@ -61,7 +61,7 @@ public:
         for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
             if (const std::string name = entry.path().stem().string(); entry.path().extension() == ".args" && !listed_.contains(name))
                 others.push_back(name);
-        std::sort(others.begin(), others.end(), in_order);
+        std::sort(others.begin(), others.end(), comes_before);
         for (const std::string& name : others) {
             const bool text = is_there(folder_ / (name + ".out"));
             if (!text && !is_there(folder_ / (name + ".png"))) continue;
@@ -145,7 +145,7 @@ Suite read_course_suite(const std::string& path, const std::string& inputs, cons
         std::vector<std::string> parts;
         for (const fs::directory_entry& entry : fs::directory_iterator(tests))
             if (is_there(entry.path() / "tests.json")) parts.push_back(entry.path().filename().string());
-        std::sort(parts.begin(), parts.end(), in_order);
+        std::sort(parts.begin(), parts.end(), comes_before);
         for (const std::string& part : parts) Part(tests / part, part + "/").read(suite.tests, messages);
     }
     if (suite.tests.empty())

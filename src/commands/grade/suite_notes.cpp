@@ -15,12 +15,12 @@ namespace rt {
 namespace {
 
 /// No picture of a thousand pixels, nor a text without words, has a larger file unless it is full of other things.
-constexpr std::size_t most_bytes = 1u << 16;
+constexpr std::size_t most_note_bytes = 1u << 16;
 
 bool is_small(const std::string& path) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    return !error && size <= most_bytes;
+    return !error && size <= most_note_bytes;
 }
 
 /// Counts are of pixels, all other figures shares of full scale.
@@ -42,7 +42,7 @@ bool any_picture_passes(const TestCase& test) {
 
 bool expects_nothing(const TestCase& test) {
     if (!is_small(test.expected)) return false;
-    const std::optional<std::string> right = read_file_text(test.expected, most_bytes);
+    const std::optional<std::string> right = read_file_text(test.expected, most_note_bytes);
     return right && compared_lines(*right).empty();
 }
 

@@ -20,7 +20,7 @@ struct LightAnswer {
 };
 
 /// One entry for each light: an area light has hundreds of samples.
-Json shadows_of(const RayNode& node) {
+Json shadows_by_light(const RayNode& node) {
     std::map<std::uint32_t, LightAnswer> lights;
     for (const ShadowAnswer& shadow : node.shadows) {
         LightAnswer& answer = lights[shadow.light];
@@ -47,7 +47,7 @@ Json ray_of(const Scene& scene, const RayNode& node, const KeptRay& kept) {
     if (kept.left_out > 0) ray["left_out"] = kept.left_out;
     if (node.object != RayNode::none) {
         ray["hit"].erase("object_ray");
-        ray["hit"]["shadows"] = shadows_of(node);
+        ray["hit"]["shadows"] = shadows_by_light(node);
     }
     return ray;
 }

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* record_name = "record.json";
 constexpr const char* film_name = "film";
-constexpr std::size_t most_bytes = std::size_t{1} << 36;
+constexpr std::size_t most_store_bytes = std::size_t{1} << 36;
 
 /// Of times, errors and numbers of samples.
 double amount(const JsonValue& value) { return value.number_in(0.0, std::numeric_limits<double>::max()); }
@@ -123,7 +123,7 @@ std::string TradeStore::key(const char* kind, const std::string& words) const {
 std::optional<std::string> TradeStore::text(const std::string& key, const std::string& name) const {
     if (fresh_ && std::find(put_.begin(), put_.end(), key) == put_.end()) return std::nullopt;
     const std::string path = entries_.path(key, name);
-    return path.empty() ? std::nullopt : read_file_text(path, most_bytes);
+    return path.empty() ? std::nullopt : read_file_text(path, most_store_bytes);
 }
 
 std::optional<KnownReference> TradeStore::reference(const std::string& words, int width, int height) const {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 // Beyond these, what a scene reads is not found out: looking for it is no render that may take its time.
 constexpr std::size_t most_text = 1u << 26, most_files = 10'000, most_names = 2'000, longest_name = 1024;
-constexpr std::uintmax_t most_bytes = 1u << 30;  ///< of all files together
+constexpr std::uintmax_t most_scene_bytes = 1u << 30;  ///< of all files together
 
 /// Files that tell of the machine: they may never end, and say something else each time.
 bool is_of_the_system(const fs::path& path) {
@@ -108,8 +108,8 @@ private:
         const fs::path path = fs::canonical(file, none);
         const auto [entry, is_new] = known_.try_emplace(path);
         if (is_new) {
-            bytes_ += std::min(fs::file_size(path, none), most_bytes + 1);
-            if (known_.size() > most_files || bytes_ > most_bytes || is_of_the_system(path)) files_.complete = false;
+            bytes_ += std::min(fs::file_size(path, none), most_scene_bytes + 1);
+            if (known_.size() > most_files || bytes_ > most_scene_bytes || is_of_the_system(path)) files_.complete = false;
             if (!files_.complete) return;
             entry->second = hash_of_file(path.string());
             open_.push_back(path);

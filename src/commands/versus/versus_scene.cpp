@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 1u << 26;  ///< of what a run of ours writes as JSON
+constexpr std::size_t most_run_bytes = 1u << 26;  ///< of what a run of ours writes as JSON
 constexpr double difference_scale = 8.0;
 constexpr const char* result_name = "result.json";
 
@@ -40,7 +40,7 @@ struct Reading {
 /// What a run of ours has written as JSON; empty if it is not there or not whole.
 template <class T, class Read>
 std::optional<T> read_written(const std::string& path, const Read& read) {
-    std::optional<std::string> text = read_file_text(path, most_bytes);
+    std::optional<std::string> text = read_file_text(path, most_run_bytes);
     if (!text) return std::nullopt;
     Sources sources;
     sources.add({path, std::move(*text)});

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace rt {
+namespace rt::json_place_test {
 namespace {
 
 char at(std::string_view json, const std::vector<std::string>& path) { return json[place_in_json(json, path)]; }
@@ -26,4 +26,4 @@ TEST(JsonPlace, IsWhereTheValueBegins) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::json_place_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::output_name_test {
 namespace {
 
 struct Name {
@@ -77,4 +77,4 @@ TEST(OutputName, AnExistingFolderIsNoFileName) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::output_name_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::shell_words_test {
 namespace {
 
 TEST(ShellWords, AreQuotedWhereTheyMustBe) {
@@ -24,4 +24,4 @@ TEST(ShellWords, HoldAnyByte) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::shell_words_test

@@ -3,7 +3,7 @@
 
 #include "commands/base/task_progress.h"
 
-namespace rt {
+namespace rt::task_progress_test {
 namespace {
 
 TEST(TaskProgress, TellsHowFarRateAndTimeLeft) {
@@ -24,4 +24,4 @@ TEST(TaskProgress, WhatIsLeftTakesWhatItsKindTook) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::task_progress_test

@@ -7,7 +7,7 @@
 
 #include "core/source.h"
 
-namespace rt {
+namespace rt::values_test {
 namespace {
 
 std::string mistake(std::string_view text) {
@@ -35,4 +35,4 @@ TEST(RealNumber, IsANumberOrAQuotientOfTwo) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::values_test

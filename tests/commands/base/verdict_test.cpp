@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rt {
+namespace rt::verdict_test {
 namespace {
 
 StoredImage image(int width, int channels, std::vector<float> values, int max_value = 255) {
@@ -50,4 +50,4 @@ TEST(Verdict, FailureBeforeWarning) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::verdict_test

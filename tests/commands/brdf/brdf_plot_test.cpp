@@ -10,7 +10,7 @@
 #include "commands/brdf/brdf_curves.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::brdf_plot_test {
 namespace {
 
 using test::Outcome;
@@ -305,4 +305,4 @@ TEST(BrdfPlot, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::brdf_plot_test

@@ -7,7 +7,7 @@
 
 #include "tests/commands/brdf/brdf_support.h"
 
-namespace rt {
+namespace rt::brdf_rows_test {
 namespace {
 
 using test::Cells;
@@ -283,4 +283,4 @@ TEST(BrdfRows, Lecture) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::brdf_rows_test

@@ -8,7 +8,7 @@
 
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::brdf_test {
 namespace {
 
 using test::Outcome;
@@ -343,4 +343,4 @@ TEST_F(Brdf, IntegralsOfTheChosenTerms) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::brdf_test

@@ -9,7 +9,7 @@
 #include "tests/commands/brdf/brdf_support.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::brdf_tolerance_test {
 namespace {
 
 using test::Cells;
@@ -197,4 +197,4 @@ TEST(BrdfTolerances, WhatCannotBeJudgedIsAMistakeOfItsRow) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::brdf_tolerance_test

@@ -10,7 +10,7 @@
 #include "trace/tracer.h"
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::reshading_test {
 namespace {
 
 /// Glass, a mirror, a transformed box and sphere, both sides of triangles, and shadows of two lamps.
@@ -132,4 +132,4 @@ INSTANTIATE_TEST_SUITE_P(, ReshadingTest,
                                          rules(&CourseRules::beers)));
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::reshading_test

@@ -5,7 +5,7 @@
 
 #include "tests/commands/support.h"
 
-namespace rt::test {
+namespace rt::test::wrong_pixel_test {
 namespace {
 
 using testing::ElementsAre;
@@ -81,4 +81,4 @@ TEST_F(ExplainPixel, NothingIsSaidOfASceneThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace rt::test
+}  // namespace rt::test::wrong_pixel_test

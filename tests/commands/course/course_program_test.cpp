@@ -9,7 +9,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::course_program_test {
 namespace {
 
 using test::Outcome;
@@ -263,4 +263,4 @@ TEST_F(CourseProgram, HelpIsTheTopic) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::course_program_test

@@ -11,7 +11,7 @@
 #include "commands/report/result_json.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::grade_reports_test {
 namespace {
 
 using testing::HasSubstr;
@@ -166,4 +166,4 @@ TEST(GradeReports, JunitKeepsEndsOfLines) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::grade_reports_test

@@ -4,7 +4,7 @@
 
 #include "commands/grade/grade_test.h"
 
-namespace rt {
+namespace rt::late_run_test {
 namespace {
 
 TEST(GradeTest, ALateRunMayHaveWaitedUnlessItHadWhatItWanted) {
@@ -27,4 +27,4 @@ TEST(GradeTest, ManyThreadsWantAsManyProcessorsAsThereAre) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::late_run_test

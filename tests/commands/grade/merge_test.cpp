@@ -9,7 +9,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::merge_test {
 namespace {
 
 using testing::HasSubstr;
@@ -140,4 +140,4 @@ TEST_F(MergedShards, WithTestsThatWereNotRunAreNotComplete) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::merge_test

@@ -7,7 +7,7 @@
 #include "commands/grade/suite_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::suite_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST_F(SuiteFile, EveryMistakeHasItsPlace) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::suite_file_test

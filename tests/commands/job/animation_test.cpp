@@ -7,7 +7,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::animation_test {
 namespace {
 
 using test::Outcome;
@@ -129,4 +129,4 @@ TEST_F(Frames, OtherCommandsHaveOnePicture) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::animation_test

@@ -9,7 +9,7 @@
 #include "syntax/parser.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::choice_levels_test {
 namespace {
 
 /// Choices as "key=value key=value".
@@ -248,4 +248,4 @@ TEST(ChoiceLevels, APresetOfTheCommandLineIsAShading) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::choice_levels_test

@@ -12,7 +12,7 @@
 #include "tests/commands/support.h"
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::choice_values_test {
 namespace {
 
 struct Refused {
@@ -202,4 +202,4 @@ TEST(WideLobes, WarnOnce) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::choice_values_test

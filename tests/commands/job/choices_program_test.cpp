@@ -3,7 +3,7 @@
 
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::choices_program_test {
 namespace {
 
 using test::Outcome;
@@ -204,4 +204,4 @@ TEST_F(ChoicesWithoutEffect, AreAllUnderPovRaysShading) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::choices_program_test

@@ -6,7 +6,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::dialect_test {
 namespace {
 
 using test::Outcome;
@@ -69,4 +69,4 @@ TEST_F(Dialects, TheCoursesPositionsAreCountedWithoutOptionsValues) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::dialect_test

@@ -8,7 +8,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::format_limits_test {
 namespace {
 
 using test::Outcome;
@@ -76,4 +76,4 @@ TEST(FormatLimitsOf, OpenExrHoldsHalfAndSinglePrecision) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::format_limits_test

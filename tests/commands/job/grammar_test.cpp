@@ -7,7 +7,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::grammar_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -271,4 +271,4 @@ TEST(Grammar, AnExistingSceneWithoutEndingIsTakenAsItIs) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::grammar_test

@@ -9,7 +9,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::hints_test {
 namespace {
 
 using test::Outcome;
@@ -183,4 +183,4 @@ TEST(Hints, NamesThatNoSceneCanReadAreANote) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::hints_test

@@ -8,7 +8,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::ini_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -368,4 +368,4 @@ TEST(Translation, NothingIsTranslatedBehindTwoDashes) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::ini_test

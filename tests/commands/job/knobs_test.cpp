@@ -13,7 +13,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::knobs_test {
 namespace {
 
 using testing::ElementsAre;
@@ -272,4 +272,4 @@ TEST(Knobs, have_values_in_words_that_are_known) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::knobs_test

@@ -7,7 +7,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::limit_options_test {
 namespace {
 
 using test::run;
@@ -69,4 +69,4 @@ TEST(LimitOption, TheHelpNamesEveryLimitWithItsValue) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::limit_options_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::missing_counts_test {
 namespace {
 
 std::vector<MissingFeature> missing(const std::vector<std::string>& names) {
@@ -46,4 +46,4 @@ TEST(MissingFeatures, WhereNoneCompletesASceneTheNearestIsNext) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::missing_counts_test

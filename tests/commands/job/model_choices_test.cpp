@@ -10,7 +10,7 @@
 #include "shading/names.h"
 #include "syntax/choices.h"
 
-namespace rt {
+namespace rt::model_choices_test {
 namespace {
 
 ModelChoice chosen(const std::vector<ModelOption>& options) { return choice_for(Scene(), {}, options); }
@@ -130,4 +130,4 @@ TEST(ModelChoices, WrongValuesNameWhatIsExpected) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::model_choices_test

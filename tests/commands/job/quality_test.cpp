@@ -10,7 +10,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::quality_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -149,4 +149,4 @@ TEST_F(QualityOption, DraftGivesUpItsShareOfThePixelsWhereOthersChooseThem) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::quality_test

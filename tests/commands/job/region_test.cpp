@@ -4,7 +4,7 @@
 #include "commands/job/render_job.h"
 #include "core/source.h"
 
-namespace rt {
+namespace rt::region_test {
 namespace {
 
 struct Case {
@@ -47,4 +47,4 @@ TEST(RegionOf, RefusesWhatIsNoPartOfThePicture) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::region_test

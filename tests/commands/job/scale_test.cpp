@@ -5,7 +5,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::scale_test {
 namespace {
 
 using test::Outcome;
@@ -86,4 +86,4 @@ TEST_F(Scale, GoesWithTheCoursesPicturesButNotWithTheirPixels) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::scale_test

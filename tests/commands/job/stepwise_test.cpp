@@ -8,7 +8,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::stepwise_test {
 namespace {
 
 using test::Outcome;
@@ -88,4 +88,4 @@ TEST(ReachedText, SaysWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::stepwise_test

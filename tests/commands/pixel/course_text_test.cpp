@@ -10,7 +10,7 @@
 
 #include "commands/pixel/told_pixel_file.h"
 
-namespace rt {
+namespace rt::course_text_test {
 namespace {
 
 TEST(CourseNumbers, HaveFourDecimals) {
@@ -218,4 +218,4 @@ TEST_F(CourseText, OfATreeDrawn) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::course_text_test

@@ -12,7 +12,7 @@
 #include "core/vec.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::explain_test {
 namespace {
 
 using nlohmann::json;
@@ -327,4 +327,4 @@ TEST_F(Explain, WrongCommandLinesAreFour) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::explain_test

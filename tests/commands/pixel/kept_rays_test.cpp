@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::kept_rays_test {
 namespace {
 
 /// A record with these parents.
@@ -64,4 +64,4 @@ TEST(KeptRays, AreNeverLessThanTheCameraRay) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::kept_rays_test

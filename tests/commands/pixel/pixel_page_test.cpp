@@ -11,7 +11,7 @@
 
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::pixel_page_test {
 namespace {
 
 using nlohmann::json;
@@ -266,4 +266,4 @@ TEST_F(PixelPageProgram, GoesToStandardOutputWhereAsked) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::pixel_page_test

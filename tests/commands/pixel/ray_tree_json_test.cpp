@@ -8,7 +8,7 @@
 #include "film/image_file.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::ray_tree_json_test {
 namespace {
 
 using nlohmann::json;
@@ -129,4 +129,4 @@ TEST_F(RayTreeProgram, GoesWithTheTwoCommandsThatTellOfAllRays) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::ray_tree_json_test

@@ -12,7 +12,7 @@
 #include "film/png.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::report_page_test {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(ReportFiles, PicturesAndTestsComeBack) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::report_page_test

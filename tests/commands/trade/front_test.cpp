@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rt {
+namespace rt::front_test {
 namespace {
 
 using testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(BeatenBy, IsTheFactorInBothTimeAndError) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::front_test

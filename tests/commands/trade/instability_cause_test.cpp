@@ -7,7 +7,7 @@
 
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::instability_cause_test {
 namespace {
 
 /// A plane y = 0 and another 1e-7 above it for x > 100, a lamp high over the origin and one on the horizon.
@@ -114,4 +114,4 @@ TEST(Causes, HaveNames) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::instability_cause_test

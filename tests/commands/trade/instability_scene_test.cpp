@@ -6,7 +6,7 @@
 #include "tests/scene/checkers.h"
 #include "world/compile.h"
 
-namespace rt {
+namespace rt::instability_scene_test {
 namespace {
 
 constexpr double by = 4.0;  // exact
@@ -165,4 +165,4 @@ TEST(ScaledScene, PatternsGrowOnceAndStayShared) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::instability_scene_test

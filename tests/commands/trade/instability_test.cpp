@@ -7,7 +7,7 @@
 #include "commands/job/job_steps.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::instability_test {
 namespace {
 
 using testing::AllOf;
@@ -166,4 +166,4 @@ TEST(UnstableGeometry, OnlySurfacesInOnePlane) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::instability_test

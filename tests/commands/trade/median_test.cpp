@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rt {
+namespace rt::median_test {
 namespace {
 
 using List = std::vector<double>;
@@ -39,4 +39,4 @@ TEST(RepeatRule, TakesTheLeastRunsAndThenWhatTheSpreadAsksFor) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::median_test

@@ -9,7 +9,7 @@
 
 #include "commands/trade/sensitivity.h"
 
-namespace rt {
+namespace rt::plan_test {
 namespace {
 
 TurnedKnobs turned(const std::vector<std::string_view>& names) {
@@ -238,4 +238,4 @@ TEST(Plan, AsksForNoErrorOfAShareOfThePixels) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::plan_test

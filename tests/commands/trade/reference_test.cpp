@@ -10,7 +10,7 @@
 
 #include "commands/job/knobs.h"
 
-namespace rt {
+namespace rt::reference_test {
 namespace {
 
 using testing::ElementsAre;
@@ -73,4 +73,4 @@ TEST(JoinedError, IsTheTrueErrorOfIndependentSamples) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::reference_test

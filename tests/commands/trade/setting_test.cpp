@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace rt {
+namespace rt::setting_test {
 namespace {
 
 using testing::ElementsAre;
@@ -101,4 +101,4 @@ TEST(SettingWords, AreThoseOfTheValues) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::setting_test

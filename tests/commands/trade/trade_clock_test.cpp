@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::trade_clock_test {
 namespace {
 
 TEST(TradeClock, GivesEveryPartAnEndAndTheLastOneTheWhole) {
@@ -21,4 +21,4 @@ TEST(TradeClock, RunsOut) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::trade_clock_test

@@ -13,7 +13,7 @@
 #include "grading/file_lock.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::trade_program_test {
 namespace {
 
 using nlohmann::json;
@@ -337,4 +337,4 @@ TEST_F(Trade, AFullOutputIsToldAndKeepsTheReports) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::trade_program_test

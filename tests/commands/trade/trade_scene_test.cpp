@@ -6,7 +6,7 @@
 #include "commands/job/render_arguments.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::trade_scene_test {
 namespace {
 
 TEST(TradeScene, GivesUpSamplingByErrorThatTakesTooLong) {
@@ -24,4 +24,4 @@ TEST(TradeScene, GivesUpSamplingByErrorThatTakesTooLong) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::trade_scene_test

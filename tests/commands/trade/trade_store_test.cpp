@@ -9,7 +9,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::trade_store_test {
 namespace {
 
 class TradeStoreTest : public testing::Test {
@@ -160,4 +160,4 @@ TEST_F(TradeStoreTest, AFolderThatCannotBeMadeIsTold) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::trade_store_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rt {
+namespace rt::program_told_test {
 namespace {
 
 // Laid out as POV-Ray 3.7 does.
@@ -96,4 +96,4 @@ TEST(ProgramTold, OurOwnStatistics) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::program_told_test

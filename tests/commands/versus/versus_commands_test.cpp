@@ -5,7 +5,7 @@
 #include "commands/versus/versus_settings.h"
 #include "core/source.h"
 
-namespace rt {
+namespace rt::versus_commands_test {
 namespace {
 
 using testing::ElementsAre;
@@ -78,4 +78,4 @@ TEST(VersusCommands, ValuesThatPovrayCannotTakeAreMistakes) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::versus_commands_test

@@ -12,7 +12,7 @@
 #include "commands/base/shell_words.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::versus_program_test {
 namespace {
 
 using test::Outcome;
@@ -378,4 +378,4 @@ TEST_F(Versus, PovrayTakesPathsThatAreLongerThanItsRoomForThem) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::versus_program_test

@@ -10,7 +10,7 @@
 #include "core/source.h"
 #include "tests/commands/support.h"
 
-namespace rt {
+namespace rt::versus_scenes_test {
 namespace {
 
 using testing::ElementsAre;
@@ -97,4 +97,4 @@ TEST(SceneFiles, WhatIsTooMuchOrNeverEndsIsNotRead) {
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::versus_scenes_test

@@ -6,7 +6,7 @@
 #include "commands/versus/versus_judge.h"
 #include "commands/versus/versus_reports.h"
 
-namespace rt {
+namespace rt::versus_test {
 namespace {
 
 using testing::ElementsAre;
@@ -228,4 +228,4 @@ seconds of the 3 scenes that all rendered
 }
 
 }  // namespace
-}  // namespace rt
+}  // namespace rt::versus_test

@@ -34,7 +34,7 @@ std::string cell(const Verdict& v, const Bytes* picture) {
 }
 
 /// The comment at the head of a scene, which says what it shows.
-std::string subject(const std::string& name) {
+std::string solid_subject(const std::string& name) {
     std::ifstream file(std::string(PROJECT_ROOT) + "/pov/extremes/geometry/" + name + ".pov");
     std::string line;
     std::getline(file, line);
@@ -42,7 +42,7 @@ std::string subject(const std::string& name) {
 }
 
 std::string section(const Verdict& v) {
-    std::string text = fmt::format("<section id=\"{0}\"><h2>{0}</h2><p>{1}</p><div>\n", v.truth.name, subject(v.truth.name));
+    std::string text = fmt::format("<section id=\"{0}\"><h2>{0}</h2><p>{1}</p><div>\n", v.truth.name, solid_subject(v.truth.name));
     text += image(png(v.truth.picture), "truth");
     for (const Column& column : columns(v)) {
         if (column.picture == nullptr || count(*column.picture, v.truth).wrong == 0) continue;

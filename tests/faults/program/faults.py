@@ -36,7 +36,7 @@ TRANSMITTED_SHADOW = (LIGHTING, "return [[shadows_.transmitted(index, view.at, r
 LOGGED_SHADOW = (LIGHTING, "const Rgb light = [[shadows_.transmitted(index, view.at, ray, view.inside, &answer)]];")
 PIGMENT_ON_ENTRY = (COURSE, "CourseRules::beer_density) : [[point.surface.pigment]];")
 # A shadow ray that meets the surface it starts on would do so ten thousand times before it is dark.
-CROSSINGS = (SHADOW, "i < [[most_crossings]]; ++i) {")
+CROSSINGS = (SHADOW, "i < [[most_shadow_crossings]]; ++i) {")
 AREA_SHADOW = (SHADOW, "color * [[transmitted(index, at, ray, inside, log != nullptr ? &answer : nullptr)]];")
 
 # name: (what is wrong, changes)
