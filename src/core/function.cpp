@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/integer.h"
+
 namespace rt {
 
 namespace {
@@ -41,7 +43,7 @@ double binary(Op op, double a, double b) {
         case Op::atan2:
             return std::atan2(a, b);
         case Op::div:
-            return std::trunc(a / b);
+            return to_int(a / b);
         case Op::mod:
             return std::fmod(a, b);
         case Op::pow:
@@ -84,7 +86,7 @@ double unary(Op op, double x) {
         case Op::floor:
             return std::floor(x);
         case Op::integer:
-            return std::trunc(x);
+            return to_int(x);
         case Op::ln:
             return std::log(x);
         case Op::log:

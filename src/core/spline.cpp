@@ -75,7 +75,8 @@ void Spline::arrange() {
 std::array<double, 5> evaluate(const Spline& spline, double t, Spline::Kind kind) {
     const Points& p = spline.points;
     const std::size_t n = p.size();
-    const bool inner = kind == Spline::Kind::cubic && n >= 2;
+    if (kind == Spline::Kind::cubic && n == 2) return each([&](std::size_t c) { return 0.5 * (p[0].value[c] + p[1].value[c]); });
+    const bool inner = kind == Spline::Kind::cubic && n > 2;
     if (!(t > p[inner ? 1 : 0].t)) return p[inner ? 1 : 0].value;
     if (!(t < p[n - (inner ? 2 : 1)].t)) return p[n - (inner ? 2 : 1)].value;
     const auto after = std::lower_bound(p.begin(), p.end(), t, [](const Spline::Point& q, double x) { return q.t < x; });

@@ -25,7 +25,7 @@ struct Spline {
 /// linear: straight from point to point. Quadratic: in (t_i, t_{i+1}] the parabola through the points i - 1, i and i + 1, in the first
 /// interval the one through the first three. Natural: the cubic spline whose second derivative is 0 at both ends. Cubic: between two
 /// points the cubic that has the mean of the adjacent slopes at each. Before the first and behind the last point their values; cubic: of
-/// the second and of the last but one.
+/// the second and of the last but one; of two points alone their mean everywhere, as in POV-Ray.
 std::array<double, 5> evaluate(const Spline& spline, double t, Spline::Kind kind);
 
 }  // namespace rt

@@ -21,14 +21,6 @@ std::size_t announced(char first) {
     return byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
 }
 
-/// The number of a valid character of `size` bytes.
-std::uint32_t code_point(std::string_view text, std::size_t size) {
-    constexpr std::uint32_t of_first[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
-    std::uint32_t code = static_cast<Byte>(text[0]) & of_first[size];
-    for (std::size_t i = 1; i < size; ++i) code = code << 6 | (static_cast<Byte>(text[i]) & 0x3F);
-    return code;
-}
-
 /// General categories Cc, Zl and Zp, and the property Bidi_Control.
 bool disturbs_a_line(std::uint32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
@@ -36,6 +28,13 @@ bool disturbs_a_line(std::uint32_t code) {
 }
 
 }  // namespace
+
+std::uint32_t utf8_code_point(std::string_view text, std::size_t size) {
+    constexpr std::uint32_t of_first[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+    std::uint32_t code = static_cast<Byte>(text[0]) & of_first[size];
+    for (std::size_t i = 1; i < size; ++i) code = code << 6 | (static_cast<Byte>(text[i]) & 0x3F);
+    return code;
+}
 
 std::size_t utf8_character(std::string_view text) {
     const std::size_t size = text.empty() ? 0 : announced(text[0]);
@@ -81,7 +80,7 @@ std::string one_line(std::string_view text) {
     std::string line;
     while (!text.empty()) {
         const std::size_t size = utf8_character(text);
-        line += size == 0 || disturbs_a_line(code_point(text, size)) ? "?" : text.substr(0, size);
+        line += size == 0 || disturbs_a_line(utf8_code_point(text, size)) ? "?" : text.substr(0, size);
         text.remove_prefix(std::max<std::size_t>(size, 1));
     }
     return line;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,9 @@ namespace rt {
 
 /// Bytes of the character that `text` begins with, 1 to 4 (The Unicode Standard, table 3-7); 0 if it begins with none.
 std::size_t utf8_character(std::string_view text);
+
+/// The number of the character of `size` bytes, as utf8_character has it, that `text` begins with.
+std::uint32_t utf8_code_point(std::string_view text, std::size_t size);
 
 /// The first bytes of `text`, at most `most` of them, and none of a character whose others are beyond.
 std::string_view whole_characters(std::string_view text, std::size_t most);

@@ -71,8 +71,12 @@ void Reader::State::parse_declaration(Variable& into) {
         into.value = parse_declared_value(into.missing);
         end_of_declaration(into.value, frame_count);
     }
+    resume_directive();
+}
+
+void Reader::State::resume_directive() {
     if (!has_ahead || !ahead.is('#')) return;
-    has_ahead = false;  // the directive that ended the value is carried out now
+    has_ahead = false;
     frames.back().lexer.seek(ahead.span.begin);
 }
 

@@ -95,6 +95,7 @@ void Reader::State::set_version(const Span& place) {
     if (!version_stated && anything_read) version_late = true;
     // A contextual word, whatever was declared under its name: patched versions of POV-Ray accept their own scenes by it.
     if (reader.peek().kind == Token::Kind::identifier && reader.peek().text == "unofficial") reader.take();
+    const Restore<Waiting> wait(waiting, {true, conditionals.size(), depth});
     const double stated = reader.parse_float();
     if (stated > newest_version + version_tolerance)
         reader.fail(place, fmt::format("Your scene file requires POV-Ray version {:g} or later!", stated));
@@ -103,6 +104,7 @@ void Reader::State::set_version(const Span& place) {
     scene.language_version = stated;
     if (!reader.accept(';'))
         reader.warn_possible(reader.peek().span, "All #version and #declares of float, vector, and color require semi-colon ';' at end.");
+    resume_directive();
 }
 
 }  // namespace rt

@@ -31,13 +31,13 @@ bool holds(char relation, double a, double b) {
         case '>':
             return a > b;
         case 'L':
-            return a < b + epsilon;
+            return a <= b + epsilon;
         case 'G':
-            return a > b - epsilon;
+            return a >= b - epsilon;
         case '=':
-            return std::fabs(a - b) < epsilon || a == b;
+            return std::fabs(a - b) <= epsilon || a == b;
         default:
-            return !(std::fabs(a - b) < epsilon || a == b);
+            return !(std::fabs(a - b) <= epsilon || a == b);
     }
 }
 
@@ -70,13 +70,13 @@ std::optional<int> component_index(Word w) {
     }
 }
 
-bool is_true(double x) { return !(std::fabs(x) < epsilon); }
+bool is_true(double x) { return !(std::fabs(x) <= epsilon); }
 
 Number Expression::condition() {
     const Span first = reader_.peek().span;
-    const NestingGuard guard(state_, first);
     const Number test = junction();
     if (!reader_.accept('?')) return test;
+    const NestingGuard guard(state_, first);
     const bool chosen = is_true(to_float(test, first));
     const Number a = condition();
     reader_.expect(':');
@@ -170,20 +170,18 @@ Number Expression::divide(Number a, const Number& b, const Span& place) {
 }
 
 Number Expression::unary() {
-    const Token& token = reader_.peek();
-    if (token.is('-') || token.is('+') || token.is('!')) {
-        const NestingGuard guard(state_, token.span);
-        const char symbol = reader_.take().symbol;
-        Number n = unary();
+    std::string signs;
+    while (reader_.peek().is('-') || reader_.peek().is('+') || reader_.peek().is('!')) signs += reader_.take().symbol;
+    const Span first = reader_.peek().span;
+    Number n = primary();
+    if (reader_.accept('.')) n = component(n, first);
+    for (; !signs.empty(); signs.pop_back()) {
         for (int i = 0; i < n.size; ++i) {
-            if (symbol == '-') n.v[i] = -n.v[i];
-            if (symbol == '!') n.v[i] = is_true(n.v[i]) ? 0.0 : 1.0;
+            if (signs.back() == '-') n.v[i] = -n.v[i];
+            if (signs.back() == '!') n.v[i] = is_true(n.v[i]) ? 0.0 : 1.0;
         }
-        return n;
     }
-    const Span first = token.span;
-    const Number whole = primary();
-    return reader_.accept('.') ? component(whole, first) : whole;
+    return n;
 }
 
 Number Expression::component(const Number& whole, const Span& place) {
@@ -201,7 +199,7 @@ Number Expression::primary() {
     if (token.kind == Token::Kind::identifier) return identifier();
     if (token.is('<')) return vector_literal();
     if (token.is('(')) {
-        reader_.take();
+        const NestingGuard guard(state_, reader_.take().span);
         const Number inner = condition();
         reader_.expect(')');
         return inner;

@@ -18,7 +18,7 @@ std::string unescaped(Reader& reader, const Token& token);
 
 /// One method a level of the grammar:
 ///     condition = junction [ '?' condition ':' condition ]        only inside parentheses, in #if and in colours
-///     junction  = relation { ('&' | '|') relation }               both operators bind alike
+///     junction  = relation { ('&' | '|') relation }               both operators bind alike here, '&' closer in functions
 ///     relation  = sum { (< <= > >= = !=) sum }
 ///     sum       = product { (+ | -) product }
 ///     product   = unary { (* | /) unary }
@@ -34,6 +34,8 @@ public:
     double sum_float();
     Vec3 sum_vector();
     std::string string();
+    /// What a word that is a number by itself stands for.
+    std::optional<Number> constant(Word w);
 
 private:
     struct Field {
@@ -55,7 +57,6 @@ private:
 
     // functions.cpp
     Number word(Word w);
-    std::optional<Number> constant(Word w);
     std::optional<double> function_of_float(Word w, const Span& place);
     std::optional<double> function_of_floats(Word w, const Span& place);
     std::optional<double> function_of_vectors(Word w);
@@ -73,7 +74,6 @@ private:
     Number function_value(const std::shared_ptr<const Function>& function, const Span& place);
     Number pigment_color(const PigmentFunction& pigment, const Span& place);
     Number spline_value(const Spline& spline, const Span& place);
-    void skip_arguments();
     double next_float();
     Vec3 next_vector();
 

@@ -42,7 +42,22 @@ std::shared_ptr<const Function> pattern_function(Reader& reader) {
     return function_of_pattern(reader, place, std::move(stated));
 }
 
+class MovedPoint final : public FunctionSource {
+public:
+    explicit MovedPoint(const Transform& transform) : transform_(transform) {}
+
+    std::array<double, 6> values(const Vec3& point) const override {
+        const Vec3 moved = transform_.point(point);
+        return {moved.x, moved.y, moved.z};
+    }
+
+private:
+    Transform transform_;
+};
+
 }  // namespace
+
+PigmentFunction moved_point(const Transform& transform) { return {std::make_shared<const MovedPoint>(transform), 0, 0}; }
 
 std::shared_ptr<const Function> noise_function(Reader& reader, const Span& place) {
     StatedPattern noise;

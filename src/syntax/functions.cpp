@@ -4,22 +4,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
+#include "core/integer.h"
 #include "syntax/expression.h"
+#include "syntax/unmodelled.h"
 
 namespace rt {
 
 namespace {
 
 Number vector(const Vec3& p) { return {{p.x, p.y, p.z}, 3, false}; }
-
-/// Toward zero; what does not fit an int becomes the smallest one, as on POV-Ray's machines.
-double to_int(double x) {
-    constexpr double lowest = std::numeric_limits<std::int32_t>::min();
-    const double whole = std::trunc(x);
-    return whole >= lowest && whole <= -(lowest + 1.0) ? whole + 0.0 : lowest;
-}
 
 std::uint32_t bits(double x) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(to_int(x))); }
 
@@ -212,6 +206,7 @@ std::optional<double> Expression::function_of_floats(Word w, const Span& place) 
         }
         case Word::pow: {
             const double a = sum_float(), b = next_float();
+            if (a == 0.0 && b == 0.0) reader_.fail(state_.since(place), "Domain error.");
             return std::pow(a, b);
         }
         case Word::min:
@@ -335,25 +330,15 @@ double Expression::array_function(Word w) {
 Number Expression::unmodelled_call() {
     reader_.accept_declared<UnmodelledValue>();
     reader_.expect('(');
-    skip_arguments();
+    skip_arguments(reader_);
     return number(0.0);
 }
 
 /// Functions of noise, and of objects where nobody answers for them; their '(' is taken.
 Number Expression::unmodelled_function(Word w, const Span& place) {
     reader_.unmodelled(place, text(w));
-    skip_arguments();
+    skip_arguments(reader_);
     return w == Word::vturbulence || w == Word::trace ? vector(Vec3(0.0)) : number(0.0);
-}
-
-/// Takes everything up to the ')' that belongs to a '(' that was taken.
-void Expression::skip_arguments() {
-    for (std::size_t depth = 1; depth != 0;) {
-        const Token token = reader_.take();
-        if (token.is('(')) ++depth;
-        if (token.is(')')) --depth;
-        if (token.kind == Token::Kind::end) reader_.fail(token.span, "Expected ')', End of File found instead");
-    }
 }
 
 double Expression::next_float() {

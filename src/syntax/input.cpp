@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <utility>
 
 #include "syntax/choice_prefix.h"
+#include "syntax/expression.h"
 #include "syntax/file_text.h"
 #include "syntax/reader_state.h"
 
@@ -54,12 +56,18 @@ bool Reader::State::ends_declaration() {
         case Word::range:
         case Word::break_:
             return conditionals.size() == waiting.conditionals;
-        case Word::declare:
-        case Word::local:
-            return version < 3.5;  // when no ';' had to stand there
         default:
-            return false;
+            return word.kind == Token::Kind::word && conditionals.size() == waiting.conditionals && operand_taken();
     }
+}
+
+/// Whether the token that was taken last ends a float, vector, colour or string: then no directive is a part of the value any more.
+bool Reader::State::operand_taken() {
+    const std::string_view text = scene.sources.file(last.file).text;
+    const char end = last.end == 0 ? '\0' : text[last.end - 1];
+    if (last_word == Word::none)
+        return std::isalnum(static_cast<unsigned char>(end)) || std::string_view("_)>].\"").find(end) != std::string_view::npos;
+    return Expression(*this).constant(last_word) || (last.begin > 0 && text[last.begin - 1] == '.');
 }
 
 bool Reader::State::raw_next_is(char symbol) {
@@ -154,6 +162,7 @@ void Reader::State::include(const Span& place, const std::string& name) {
         reader.warn_possible(place, fmt::format("Cannot find file '{}', even after trying to append file type extension.", name));
         reader.fail(place, fmt::format("Cannot open include file {}.", name));
     }
+    count_replay(place, scene.sources.file(*file).text.size());
     push_frame(Lexer(scene.sources, *file, 0, Span::none, &near_choice), false);
 }
 
@@ -164,16 +173,20 @@ void Reader::State::include_header() {
 }
 
 std::vector<std::string> Reader::State::search_folders() const {
-    std::vector<std::string> folders{folder_of(scene.sources.file(frames.back().lexer.file()).name), ""};
+    std::vector<std::string> folders{"", folder_of(scene.sources.file(frames.back().lexer.file()).name)};
     folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
     if (!options.read_include) folders.insert(folders.end(), installed_includes.begin(), installed_includes.end());
     return folders;
 }
 
-std::optional<PictureFile> Reader::find_picture(std::string_view name) {
+std::optional<PictureFile> Reader::find_picture(std::string_view name, std::span<const std::string_view> extensions) {
     if (!state_->options.read_picture) return std::nullopt;
-    for (const std::string& folder : state_->search_folders())
-        if (auto found = state_->options.read_picture((std::filesystem::path(folder) / name).string())) return found;
+    for (const std::string& folder : state_->search_folders()) {
+        const std::string path = (std::filesystem::path(folder) / name).string();
+        if (auto found = state_->options.read_picture(path)) return found;
+        for (const std::string_view extension : extensions)
+            if (auto found = state_->options.read_picture(path + std::string(extension))) return found;
+    }
     return std::nullopt;
 }
 
@@ -182,6 +195,16 @@ std::optional<std::uint32_t> Reader::State::find_include(const std::string& name
         for (const char* extension : {"", ".inc"})
             if (const auto file = load((std::filesystem::path(folder) / (name + extension)).string())) return file;
     return std::nullopt;
+}
+
+bool Reader::State::has_file(const std::string& name) const {
+    for (const std::string& folder : search_folders()) {
+        const std::filesystem::path path = std::filesystem::path(folder) / name;
+        std::error_code none;
+        if (options.read_include ? options.read_include(path.string()).has_value() : std::filesystem::is_regular_file(path, none))
+            return true;
+    }
+    return false;
 }
 
 std::optional<std::string> Reader::read_file(const std::string& name, std::initializer_list<const char*> extensions) {

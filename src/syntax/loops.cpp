@@ -87,10 +87,16 @@ void Reader::State::repeat_for() {
         conditionals.pop_back();
 }
 
+/// In a macro, outside of its loops, `#break` leaves the macro.
 void Reader::State::leave_loop(const Span& place) {
     std::size_t inner = 0;
     for (;; ++inner) {
-        if (conditionals.size() - inner == frames.back().conditionals) reader.fail(place, "Invalid context for #break");
+        if (conditionals.size() - inner == frames.back().conditionals) {
+            if (!frames.back().macro) reader.fail(place, "Invalid context for #break");
+            conditionals.resize(frames.back().conditionals);
+            leave_frame();
+            return;
+        }
         if (conditionals[conditionals.size() - inner - 1].kind != Conditional::Kind::branch) break;
     }
     Span hash;

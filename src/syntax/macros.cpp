@@ -53,10 +53,11 @@ std::vector<VariablePtr> Reader::State::parse_arguments(const MacroValue& macro,
     const NestingGuard guard(*this, place);
     std::vector<VariablePtr> arguments;
     reader.expect('(');
+    const std::size_t frame_count = frames.size();
     for (const std::size_t count = macro.parameters.size(); arguments.size() < count;) {
         if (reader.peek().is(')'))
             reader.fail(reader.peek().span, fmt::format("Expected {} parameters but only {} found.", count, arguments.size()));
-        arguments.push_back(parse_argument());
+        arguments.push_back(parse_argument(frame_count));
         reader.accept_comma();
     }
     reader.expect(')');
@@ -64,11 +65,12 @@ std::vector<VariablePtr> Reader::State::parse_arguments(const MacroValue& macro,
 }
 
 /// A name alone, or an array's element, is passed as the variable itself, which the macro can set; anything else as its value.
-VariablePtr Reader::State::parse_argument() {
+VariablePtr Reader::State::parse_argument(std::size_t frame_count) {
     const Token next = reader.peek();
     if (next.kind == Token::Kind::identifier) {
         if (!ahead_variable)
             reader.fail(next.span, "Cannot pass uninitialized identifier as macro parameter. Initialize identifier first.");
+        leave_ended_frames(frame_count);  // of macros whose last word it was
         if (raw_next_is(',') || raw_next_is(')')) {
             step();
             return ahead_variable;

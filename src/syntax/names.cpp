@@ -35,7 +35,7 @@ void Names::bind(std::size_t scope, std::string_view name, VariablePtr variable)
     auto found = table_.find(name);
     if (found == table_.end()) found = table_.emplace(std::string(name), Bindings()).first;
     Bindings& all = found->second;
-    const auto place = std::find_if(all.begin(), all.end(), [scope](const Binding& b) { return b.scope >= scope; });
+    const auto place = std::lower_bound(all.begin(), all.end(), scope, [](const Binding& b, std::size_t s) { return b.scope < s; });
     if (place != all.end() && place->scope == scope) {
         place->variable = std::move(variable);
         return;

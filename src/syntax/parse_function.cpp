@@ -8,6 +8,7 @@
 #include "syntax/expression.h"
 #include "syntax/function_source.h"
 #include "syntax/texture_layers.h"
+#include "syntax/unmodelled.h"
 
 namespace rt {
 
@@ -36,7 +37,7 @@ const Named* find_named(const Named (&table)[N], Word w) {
     return found == table + N ? nullptr : found;
 }
 
-/// The same levels as those of Expression.
+/// The same levels as those of Expression, but that '&' binds closer than '|'.
 class FunctionParser {
 public:
     FunctionParser(Reader::State& state, std::vector<std::string_view> names)
@@ -45,17 +46,24 @@ public:
     }
 
     Function parse() {
-        junction();
+        either();
         return std::move(function_);
     }
 
 private:
-    void junction() {
+    void either() {
+        both();
+        while (reader_.accept('|')) {
+            both();
+            emit(Op::either);
+        }
+    }
+
+    void both() {
         relation();
-        while (reader_.peek().is('&') || reader_.peek().is('|')) {
-            const Op op = reader_.take().is('&') ? Op::both : Op::either;
+        while (reader_.accept('&')) {
             relation();
-            emit(op);
+            emit(Op::both);
         }
     }
 
@@ -108,7 +116,7 @@ private:
             constant(reader_.take().number);
         } else if (token.is('(')) {
             reader_.take();
-            junction();
+            either();
             reader_.expect(')');
         } else if (const std::optional<std::size_t> index = argument(token)) {
             reader_.take();
@@ -122,12 +130,15 @@ private:
         }
     }
 
-    /// The innermost counter or parameter of that name. The names that every function knows are 0 where they are no parameters.
+    /// The innermost counter or the first parameter of that name. The names that every function knows are 0 where they are no parameters.
     std::optional<std::size_t> argument(const Token& token) const {
         if (token.kind != Token::Kind::identifier && token.kind != Token::Kind::word) return std::nullopt;
-        const auto found = std::find(names_.rbegin(), names_.rend(), token.text);
-        if (found == names_.rend()) return std::nullopt;
-        return static_cast<std::size_t>(names_.rend() - found) - 1;
+        const auto parameters = names_.begin() + static_cast<std::ptrdiff_t>(function_.parameters);
+        const auto counter = std::find(names_.rbegin(), std::make_reverse_iterator(parameters), token.text);
+        if (counter.base() != parameters) return static_cast<std::size_t>(counter.base() - names_.begin()) - 1;
+        const auto parameter = std::find(names_.begin(), parameters, token.text);
+        if (parameter == parameters) return std::nullopt;
+        return static_cast<std::size_t>(parameter - names_.begin());
     }
 
     void identifier() {
@@ -140,11 +151,16 @@ private:
                 color_component(PigmentFunction(*pigment));
                 return;
             }
+            if (const auto* const transform = std::get_if<Transform>(value)) {
+                coordinate(moved_point(*transform));
+                return;
+            }
             const auto* const program = std::get_if<std::shared_ptr<const Function>>(value);
             if (!program) reader_.fail(reader_.last_place(), "A function of floats cannot call one whose values are vectors.");
             call(std::shared_ptr<const Function>(*program));
         } else if (reader_.accept_declared<UnmodelledValue>()) {
-            skip_arguments();
+            reader_.expect('(');
+            skip_arguments(reader_);
             constant(0.0);
         } else {
             fail_operand();
@@ -175,6 +191,16 @@ private:
         ask(pigment, *index < 0 ? grey : static_cast<std::uint32_t>(*index));
     }
 
+    /// `(x, y, z).x`: one coordinate of a point that was moved.
+    void coordinate(const PigmentFunction& moved) {
+        arguments(3);
+        reader_.expect('.');
+        const std::optional<int> index = component_index(reader_.peek().word);  // none of Word::none
+        if (!index || *index < 0 || *index > 2) reader_.fail_expected("x, y or z");
+        reader_.take();
+        ask(moved, static_cast<std::uint32_t>(*index));
+    }
+
     /// Value `count` of a source at the point that is on the stack.
     void ask(const PigmentFunction& asked, std::uint32_t count) {
         push({.op = Op::source, .count = count, .index = static_cast<std::uint32_t>(function_.sources.size())});
@@ -194,19 +220,9 @@ private:
         reader_.expect('(');
         for (std::size_t i = 0; i < count; ++i) {
             if (i > 0) reader_.accept_comma();
-            junction();
+            either();
         }
         reader_.expect(')');
-    }
-
-    void skip_arguments() {
-        reader_.expect('(');
-        for (std::size_t depth = 1; depth != 0;) {
-            const Token token = reader_.take();
-            if (token.is('(')) ++depth;
-            if (token.is(')')) --depth;
-            if (token.kind == Token::Kind::end) reader_.fail(token.span, "Expected ')', End of File found instead");
-        }
     }
 
     void word(const Token& token) {
@@ -240,9 +256,9 @@ private:
 
     void extreme(Op op) {
         reader_.expect('(');
-        junction();
+        either();
         while (reader_.accept(',')) {
-            junction();
+            either();
             emit(op);
         }
         reader_.expect(')');
@@ -252,10 +268,10 @@ private:
         reader_.expect('(');
         for (int i = 0; i < 3; ++i) {
             if (i > 0) reader_.accept_comma();
-            junction();
+            either();
         }
         const bool four = reader_.accept(',');
-        if (four) junction();
+        if (four) either();
         reader_.expect(')');
         emit(four ? Op::select4 : Op::select3);
     }
@@ -267,15 +283,15 @@ private:
         if (counter.kind != Token::Kind::identifier && counter.kind != Token::Kind::word)
             reader_.fail(counter.span, fmt::format("Expected 'identifier', {} found instead", reader_.describe(counter)));
         reader_.accept_comma();
-        junction();
+        either();
         reader_.accept_comma();
-        junction();
+        either();
         reader_.accept_comma();
         const std::size_t at = function_.steps.size();
         function_.counters = std::max(function_.counters, names_.size() + 1 - function_.parameters);
         push({.op = op, .count = static_cast<std::uint32_t>(names_.size())});
         names_.push_back(counter.text);
-        junction();
+        either();
         names_.pop_back();
         held_ -= 3;  // the bounds became one value, as the terms do
         ++held_;
@@ -318,7 +334,7 @@ std::vector<std::string_view> Reader::State::parse_parameters() {
     std::vector<std::string_view> parameters;
     for (;;) {
         const Token name = take_name();
-        if (name.is(')')) return parameters;
+        if (name.is(')') && !parameters.empty()) return parameters;
         if (!is_parameter_name(name) || parameters.size() == max_parameters)
             reader.fail(name.span, fmt::format("Expected 'parameter identifier', {} found instead", reader.describe(name)));
         parameters.push_back(name.text);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "patterns/density.h"
 #include "syntax/expression.h"
@@ -13,8 +14,24 @@ namespace rt {
 
 namespace {
 
-constexpr std::initializer_list<Word> types{Word::bmp, Word::exr, Word::gif, Word::hdr, Word::iff, Word::jpeg, Word::pgm,
-                                            Word::png, Word::pot, Word::ppm, Word::sys, Word::tga, Word::tiff};
+/// What files of a type may be called.
+struct PictureType {
+    Word word;
+    std::vector<std::string_view> extensions;
+};
+const std::array picture_types{PictureType{Word::bmp, {".bmp", ".BMP"}},
+                               PictureType{Word::exr, {".exr", ".EXR"}},
+                               PictureType{Word::gif, {".gif", ".GIF"}},
+                               PictureType{Word::hdr, {".hdr", ".HDR"}},
+                               PictureType{Word::iff, {".iff", ".IFF"}},
+                               PictureType{Word::jpeg, {".jpg", ".JPG", ".jpeg", ".JPEG"}},
+                               PictureType{Word::pgm, {".pgm", ".PGM"}},
+                               PictureType{Word::png, {".png", ".PNG"}},
+                               PictureType{Word::pot, {".pot", ".POT"}},
+                               PictureType{Word::ppm, {".ppm", ".PPM"}},
+                               PictureType{Word::sys, {".bmp", ".BMP"}},
+                               PictureType{Word::tga, {".tga", ".TGA"}},
+                               PictureType{Word::tiff, {".tif", ".TIF", ".tiff", ".TIFF"}}};
 
 /// `filter all f`, `filter index, f`: the latter means entries of a palette, which pictures do not keep.
 void parse_share(Reader& reader, double& all) {
@@ -74,9 +91,9 @@ void parse_gamma(Reader& reader, StatedPicture& picture) {
     if (!picture.srgb) picture.gamma = reader.parse_float();
 }
 
-PictureFile open_picture(Reader& reader, const Token& name) {
+PictureFile open_picture(Reader& reader, const Token& name, std::span<const std::string_view> extensions) {
     try {
-        if (std::optional<PictureFile> file = reader.find_picture(name.text)) {
+        if (std::optional<PictureFile> file = reader.find_picture(name.text, extensions)) {
             if (file->width > 0 && file->height > 0) return std::move(*file);
             reader.fail(name.span, "The picture has no texels.");
         }
@@ -92,12 +109,17 @@ PictureFile open_picture(Reader& reader, const Token& name) {
 }  // namespace
 
 void parse_picture_file(Reader& reader, StatedPicture& picture) {
-    const bool typed = std::any_of(types.begin(), types.end(), [&](Word type) { return reader.accept(type); });
+    const Word first = reader.peek().word;
+    const bool typed = std::any_of(picture_types.begin(), picture_types.end(), [&](const PictureType& type) { return type.word == first; });
+    if (typed) reader.take();
     if (!typed && !at_string(reader)) reader.fail_expected("map file spec");
+    std::vector<std::string_view> extensions;
+    for (const PictureType& type : picture_types)
+        if (!typed || type.word == first) extensions.insert(extensions.end(), type.extensions.begin(), type.extensions.end());
     Token name = reader.peek();
     const std::string text = reader.parse_string();
     name.text = text;
-    picture.file = open_picture(reader, name);
+    picture.file = open_picture(reader, name, extensions);
     parse_gamma(reader, picture);
 }
 
@@ -108,7 +130,13 @@ StatedPicture parse_picture(Reader& reader, std::string_view word) {
         reader.parse_vector();
         reader.warn(reader.peek().span, "Old style orientation vector or map type not supported. Ignoring value.");
     }
-    parse_picture_file(reader, picture);
+    if (reader.peek().is(Word::function)) {
+        reader.unmodelled(reader.take().span, fmt::format("{} {{ function }}", word));
+        skip_to_block_end(reader);
+        picture.file = {.width = 1, .height = 1, .channels = 1, .values = {0.0f}, .gamma = {}};
+    } else {
+        parse_picture_file(reader, picture);
+    }
     while (accept_item(reader, picture)) continue;
     reader.end_block();
     return picture;

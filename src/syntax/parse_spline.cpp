@@ -50,7 +50,7 @@ std::shared_ptr<const Spline> Reader::State::parse_spline() {
         point.t = reader.parse_float();
         reader.accept_comma();
         Number value = Expression(*this).sum();
-        if (value.size == 1) value.v.fill(value.v[0]);
+        if (value.size == 1) value.v[1] = value.v[0];
         point.value = value.v;
         spline.size = std::max(spline.size, value.size == 1 ? 2 : value.size);
         spline.points.push_back(point);
@@ -125,7 +125,7 @@ double Reader::evaluate(const std::shared_ptr<const Function>& function, std::sp
     std::uint64_t left = most;
     const std::optional<double> value = rt::evaluate(*state_->answering_function(function, place), arguments, left);
     if (!value) fail_limit(place, fmt::format("A call of a function takes more than {} steps.", most), "reread");
-    state_->count_replay(place, most - left);
+    state_->count_replay(place, most - left + function->source_nodes);
     return *value;
 }
 

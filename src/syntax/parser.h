@@ -37,7 +37,7 @@ struct PictureFile {
 };
 
 struct ParseOptions {
-    std::vector<std::string> library_paths;  ///< searched for includes after the including file's folder and the current one
+    std::vector<std::string> library_paths;                     ///< searched for includes after the current folder and the including file's
     std::vector<std::pair<std::string, std::string>> declares;  ///< Declare=ID=value: a float, else a string
     int image_width = 800;
     int image_height = 600;

@@ -77,7 +77,8 @@ public:
     /// Its value; what it costs counts towards the limit of what the scene computes, for which `place` is blamed.
     double evaluate(const std::shared_ptr<const Function>& function, std::span<const double> arguments, const Span& place);
     /// A file that the scene names, looked for as included files are; empty if there is none. Throws OptionError for what is no picture.
-    std::optional<PictureFile> find_picture(std::string_view name);
+    /// Where there is no file of that name, the `extensions` are appended one after the other.
+    std::optional<PictureFile> find_picture(std::string_view name, std::span<const std::string_view> extensions);
     void accept_comma();  ///< commas between parameters are optional
 
     /// The bytes of a file that a scene names, found where included files are; the first of `extensions` that fits is appended to the name.

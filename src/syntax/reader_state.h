@@ -56,6 +56,8 @@ struct Reader::State : Reader::Cursor {
     void include_header();  ///< the file that is read before the scene
     /// The file that `name` means here: beside the including one, in the current folder, in the library paths, among those installed.
     std::optional<std::uint32_t> find_include(const std::string& name);
+    /// Whether there is a file of just that name where included files are looked for; it is not read.
+    bool has_file(const std::string& name) const;
     std::vector<std::string> search_folders() const;  ///< in which a file is looked for that the current one names
     std::optional<std::uint32_t> load(const std::string& path);
     bool leave_frame();  ///< at the end of a file or macro; false if it was the main file
@@ -69,6 +71,9 @@ struct Reader::State : Reader::Cursor {
     bool raw_next_is(char symbol);
     /// True where a directive ends what a declaration waits for, and so has to wait for the declaration; `ahead` then stands for it.
     bool ends_declaration();
+    bool operand_taken();
+    /// The directive that ended a value is carried out now.
+    void resume_directive();
 
     // --- conditionals.cpp
     void begin_conditional(const Span& place, Word w);
@@ -131,7 +136,7 @@ struct Reader::State : Reader::Cursor {
     void call_macro(const VariablePtr& called);
     bool is_no_macro(const Token& name) const;
     std::vector<VariablePtr> parse_arguments(const MacroValue& macro, const Span& place);
-    VariablePtr parse_argument();
+    VariablePtr parse_argument(std::size_t frame_count);
 
     // --- arrays.cpp
     ArrayValue parse_array();

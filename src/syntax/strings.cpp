@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/utf8.h"
 #include "syntax/expression.h"
 #include "syntax/word_groups.h"
 
@@ -42,6 +43,27 @@ double difference(const std::string& a, const std::string& b) {
     std::size_t i = 0;
     while (i < a.size() && at(a, i) == at(b, i)) ++i;
     return at(a, i) - at(b, i);
+}
+
+/// Bytes of the first character; a byte that begins none is one.
+std::size_t character_bytes(std::string_view s) { return std::max<std::size_t>(utf8_character(s), 1); }
+
+std::size_t bytes_of_characters(std::string_view s, std::size_t count) {
+    std::size_t bytes = 0;
+    for (; count > 0 && bytes < s.size(); --count) bytes += character_bytes(s.substr(bytes));
+    return bytes;
+}
+
+std::size_t character_count(std::string_view s) {
+    std::size_t count = 0;
+    for (; !s.empty(); ++count) s.remove_prefix(character_bytes(s));
+    return count;
+}
+
+/// Its number in Unicode.
+std::uint32_t first_character(std::string_view s) {
+    const std::size_t size = character_bytes(s);
+    return size > 1 ? utf8_code_point(s, size) : static_cast<unsigned char>(s[0]);
 }
 
 }  // namespace
@@ -150,8 +172,7 @@ std::string Expression::formatted_float(double x, const Span& place) {
 std::string Expression::formatted_vector(const Span& place) {
     const double count = std::fmin(std::fmax(sum_float(), 2.0), 5.0);
     reader_.accept_comma();
-    Number n = sum();
-    if (n.size == 1) n.v.fill(n.v[0]);
+    const Number n = sum();
     reader_.accept_comma();
     const std::string separator = string();
     const Field f = field(place);
@@ -169,19 +190,20 @@ std::string Expression::substring(const Span& place) {
     const std::string s = string();
     const double from = std::trunc(next_float());
     const double count = std::trunc(next_float());
-    if (!(from >= 1.0 && count >= 0.0 && from - 1.0 + count <= static_cast<double>(s.size())))
+    if (!(from >= 1.0 && count >= 0.0 && from - 1.0 + count <= static_cast<double>(character_count(s))))
         reader_.fail(state_.since(place), "Illegal parameters in substr.");
-    return s.substr(static_cast<std::size_t>(from) - 1, static_cast<std::size_t>(count));
+    const std::size_t begin = bytes_of_characters(s, static_cast<std::size_t>(from) - 1);
+    return s.substr(begin, bytes_of_characters(std::string_view(s).substr(begin), static_cast<std::size_t>(count)));
 }
 
 std::optional<double> Expression::function_of_strings(Word w) {
     switch (w) {
         case Word::asc: {
             const std::string s = string();
-            return s.empty() ? 0.0 : static_cast<unsigned char>(s[0]);
+            return s.empty() ? 0.0 : first_character(s);
         }
         case Word::strlen:
-            return static_cast<double>(string().size());
+            return static_cast<double>(character_count(string()));
         case Word::val:
             return std::strtod(string().c_str(), nullptr);
         case Word::strcmp: {
@@ -190,7 +212,7 @@ std::optional<double> Expression::function_of_strings(Word w) {
             return difference(a, string());
         }
         case Word::file_exists:
-            return state_.find_include(string()) ? 1.0 : 0.0;
+            return state_.has_file(string()) ? 1.0 : 0.0;
         default:
             return std::nullopt;
     }

@@ -6,7 +6,7 @@
 
 namespace rt {
 
-/// Only directives may stand before the first case.
+/// Only directives, and macros of them, may stand before the first case.
 void Reader::State::begin_switch(const Span& place) {
     const std::size_t frame_count = frames.size(), conditional_count = conditionals.size();
     reader.expect('(');
@@ -17,15 +17,22 @@ void Reader::State::begin_switch(const Span& place) {
     Token token;
     for (;;) {
         next_raw(token);
+        if (token.kind == Token::Kind::end && frames.size() > frame_count && leave_frame()) continue;
+        ahead = token;
+        if (token.kind == Token::Kind::identifier && resolve_name()) continue;
         if (!token.is('#')) reader.fail(token.span, "#switch not followed by #case or #range.");
         const Span hash = token.span;
         const std::uint32_t position = frames.back().lexer.position();
         next_raw(token);
-        if (token.is(Word::case_) || token.is(Word::range)) return find_case(token.word);
+        const bool is_case = token.is(Word::case_) || token.is(Word::range);
+        if (is_case && frames.size() == frame_count) return find_case(token.word);
+        if (is_case) reader.fail(hash, "Mis-matched '#case' or '#range'.");
         if (token.is(Word::else_) || token.is(Word::end)) reader.fail(hash, fmt::format("Mis-matched '#{}'.", text(token.word)));
         frames.back().lexer.seek(position);
+        const std::size_t frames_before = frames.size(), conditionals_before = conditionals.size();
         directive(hash);
-        require_same_text(place, frame_count, conditional_count + 1);
+        if (frames.size() != frames_before || conditionals.size() != conditionals_before)
+            reader.fail(place, "What stands before the first #case must end in the text it begins in.");
         if (has_ahead) reader.fail(ahead.span, "#switch not followed by #case or #range.");
     }
 }

@@ -53,4 +53,13 @@ void skip_to_block_end(Reader& reader) {
     }
 }
 
+void skip_arguments(Reader& reader) {
+    for (std::size_t depth = 1; depth != 0;) {
+        const Token token = reader.take();
+        if (token.is('(')) ++depth;
+        if (token.is(')')) --depth;
+        if (token.kind == Token::Kind::end) reader.fail(token.span, "Expected ')', End of File found instead");
+    }
+}
+
 }  // namespace rt

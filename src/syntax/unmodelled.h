@@ -15,5 +15,7 @@ void skip_unmodelled_block(Reader& reader, const Token& word);
 void skip_inner_block(Reader& reader);
 /// Skips to the '}' that ends the block being read, which stays; features on the way are reported.
 void skip_to_block_end(Reader& reader);
+/// Takes everything up to the ')' that belongs to a '(' that was taken.
+void skip_arguments(Reader& reader);
 
 }  // namespace rt

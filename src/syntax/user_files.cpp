@@ -93,6 +93,23 @@ private:
     Token token_;
 };
 
+/// Of whole numbers that are written as bytes.
+bool is_integer_format(Word w) {
+    switch (w) {
+        case Word::sint8:
+        case Word::uint8:
+        case Word::sint16be:
+        case Word::sint16le:
+        case Word::uint16be:
+        case Word::uint16le:
+        case Word::sint32be:
+        case Word::sint32le:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 void Reader::State::file_directive(Word w, const Span& place) {
@@ -228,6 +245,10 @@ void Reader::State::write_file(const Span& place) {
         std::string text;
         if (at_string(reader)) {
             text = reader.parse_string();
+        } else if (is_integer_format(reader.peek().word)) {
+            const Token format = reader.take();
+            reader.unmodelled(format.span, fmt::format("#write of {}", rt::text(format.word)));
+            Expression(*this).sum();
         } else if (reader.at_expression()) {
             text = text_of(Expression(*this).sum());
         } else {

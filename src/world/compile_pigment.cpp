@@ -113,7 +113,8 @@ public:
         Function function = *stated;
         for (std::shared_ptr<const Function>& called : function.called) called = compile(called);
         for (std::shared_ptr<const FunctionSource>& source : function.sources)
-            source = std::make_shared<const CompiledSource>(dynamic_cast<const StatedSource&>(*source), defaults_);
+            if (const auto* const stated_source = dynamic_cast<const StatedSource*>(source.get()))
+                source = std::make_shared<const CompiledSource>(*stated_source, defaults_);
         return known = std::make_shared<const Function>(std::move(function));
     }
 

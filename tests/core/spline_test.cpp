@@ -48,6 +48,7 @@ TEST(Spline, PassesThroughItsPointsAsItsKindSays) {
 TEST(Spline, OfFewPointsIsAsSmoothAsTheyAllow) {
     const Spline two = spline_of({{0, {1, 0, 0}}, {1, {0, 1, 0}}}), one = spline_of({{0, {7, 0, 0}}});
     for (const Kind kind : {Kind::linear, Kind::quadratic, Kind::natural}) EXPECT_EQ(evaluate(two, 0.25, kind)[0], 0.75);
+    for (const double t : {-1.0, 0.0, 0.25, 1.0, 2.0}) EXPECT_EQ(evaluate(two, t, Kind::cubic)[0], 0.5);
     for (const Kind kind : {Kind::linear, Kind::quadratic, Kind::cubic, Kind::natural}) EXPECT_EQ(evaluate(one, 3, kind)[0], 7.0);
 }
 

@@ -210,6 +210,10 @@ TEST(PictureBlock, ImageMapsHoldLinearColours) {
     EXPECT_EQ(error("png \"two.png\" map_type 4"), "Invalid map_type value.");
     EXPECT_EQ(error("png \"two.png\" interpolate 1"), "Invalid interpolate value.");
     EXPECT_EQ(error("png \"none.png\""), "Cannot find image file.");
+    EXPECT_EQ(error("png \"two\""), "") << "the type's endings are tried";
+    EXPECT_EQ(error("\"two\""), "");
+    EXPECT_EQ(error("tga \"two\""), "Cannot find image file.");
+    EXPECT_EQ(error("function 10,10 { x }"), "'image_map { function }' is not modelled.");
 }
 
 TEST(PictureBlock, SomeFormatsAreReadInWaysOfTheirOwn) {

@@ -34,7 +34,7 @@ TEST(Conditional, TheRightBranchIsRead) {
 
 TEST(Conditional, StandsBetweenAnyTwoTokens) {
     EXPECT_EQ(debug_text("#declare A = <1,#if(1) 2 #else 3 #end,4>; #debug vstr(3,A,\",\",0,0)"), "1,2,4");
-    EXPECT_EQ(debug_text("#declare A = 1 #if(1) + 2 #end; #debug str(A,0,0)"), "3");
+    EXPECT_EQ(debug_text("#declare A = (1 #if(1) + 2 #end); #debug str(A,0,0)"), "3");
     const Outcome o = read_scene("sphere { 0, #ifdef(Big) 10 #else 1 #end #declare B = 3; pigment { rgb B } }");
     ASSERT_TRUE(o.scene) << o.error;
     EXPECT_EQ(o.scene->objects.size(), 1u);

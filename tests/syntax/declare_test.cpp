@@ -149,6 +149,36 @@ TEST(Declare, WithoutSemicolonsOldScenesAreReadAsTheyWereMeant) {
     EXPECT_THAT(error_text("#declare I = 0; #while(I < 3) #declare I = I + 1 #end"), testing::StartsWith("All #declares of float"));
 }
 
+/// A directive behind a whole value is carried out with the name in force.
+TEST(Declare, ADirectiveEndsAValueWithoutASemicolon) {
+    const std::string old = "#version 3.1; #declare A = 0; ";
+    const std::vector<std::pair<const char*, const char*>> cases{
+        {"#declare A = 3 #if(A=3) #debug \"yes\" #end", "yes"},
+        {"#declare A = 3 #debug str(A,0,0)", "3"},
+        {"#declare A = -3 #debug str(A,0,0)", "-3"},
+        {"#declare A = 3 #while(A<5) #debug str(A,0,0) #declare A=A+1; #end", "34"},
+        {"#declare A = 3 #switch(A) #case(3) #debug \"three\" #end", "three"},
+        {"#declare A = 3 #for(I,1,A) #debug \"i\" #end", "iii"},
+        {"#declare A = 3 #undef A #ifdef(A) #debug \"still\" #end", ""},
+        {"#declare A = 3 #default { finish { phong A } } #debug str(A,0,0)", "3"},
+        {"#declare A = 3 #macro M() #debug str(A,0,0) #end M()", "3"},
+        {"#declare A = 3 #version 3.1; #debug str(A,0,0)", "3"},
+        {"#declare V = <1,2,3> #if(V.x=1) #debug \"yes\" #end", "yes"},
+        {"#declare V = <1,2,3> #declare A = V.z #debug str(A,0,0)", "3"},
+        {"#declare C = color rgb 1 #if(C.red=1) #debug \"yes\" #end", "yes"},
+        {"#declare A = pi #if(A>3) #debug \"yes\" #end", "yes"},
+        {"#macro M() 3 #end #declare A = M() #if(A=3) #debug \"yes\" #end", "yes"},
+        {"#declare A = (3 #if(1) +2 #end); #debug str(A,0,0)", "5"},
+        {"#declare A = max(1, 2 #if(1) +2 #end); #debug str(A,0,0)", "4"},
+        {"#declare A = #if(1) 1 #else 2 #end; #debug str(A,0,0)", "1"},
+    };
+    for (const auto& [scene, text] : cases) EXPECT_THAT(debug_text(old + scene), testing::EndsWith(text)) << scene;
+    EXPECT_EQ(error_text("#declare A = 3 #if(1) +2 #end;"), semicolon);
+    EXPECT_EQ(error_text("#declare A = 0; #declare A = 3\n#debug str(A,0,0)"), semicolon);
+    EXPECT_THAT(debug_text("#version 3.6 #debug str(version,0,1)"), testing::EndsWith("3.6"));
+    EXPECT_THAT(debug_text("#version 3.6 #version 3.5; #debug str(version,0,1)"), testing::EndsWith("3.5"));
+}
+
 TEST(Declare, WhatIsNotModelledIsReportedWhereItIsUsed) {
     const std::string unused = "#declare F = function { pattern { agate } } #declare T = density { planar } ";
     EXPECT_EQ(read_scene(unused + "sphere { 0, 1 }").error, "");

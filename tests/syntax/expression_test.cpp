@@ -65,6 +65,10 @@ const std::vector<Case> cases{
     {"(1 < <2,0,3>)", {1, 0, 1}},
     {"(<2,2,3> = <2,9,3>)", {1, 0, 1}},
     {"(1=1+1e-11)", {1}},
+    {"(1e-10=0)", {1}},
+    {"(1.1e-10=0)", {0}},
+    {"(0<=-1e-10)", {1}},
+    {"(1e-10 & 1)", {0}},
     {"(0.1+0.2=0.3)", {1}},
     {"(1=1+2e-10)", {0}},
     {"(1!=1)", {0}},
@@ -192,6 +196,7 @@ const std::vector<Case> cases{
     {"strcmp(\"a\",\"c\")", {-2}},
     {"strcmp(\"abc\",\"ab\")", {99}},
     {"val(\"12.5\")+val(\" 7x\")+val(\"no\")", {19.5}},
+    {"file_exists(\"there\")", {0}},
     {"file_exists(\"there.inc\")+10*file_exists(\"nowhere.inc\")", {1}},
     {"defined(A)+10*defined(Nobody)+100*defined(sphere)+1000*defined(B)", {1001}},
 };
@@ -342,7 +347,7 @@ TEST(Expression, ObjectsAreNoNumbers) {
 }
 
 TEST(Expression, DeepNestingIsALimitNotACrash) {
-    for (const char* unit : {"(", "-", "<", "sin(", "(1?"}) {
+    for (const char* unit : {"(", "-(", "<", "sin(", "(1?"}) {
         std::string text = "#declare A = ";
         for (int i = 0; i < 200'000; ++i) text += unit;
         const Outcome o = read_scene(text);
@@ -352,6 +357,7 @@ TEST(Expression, DeepNestingIsALimitNotACrash) {
                                                    nesting_that_fits())))
             << unit;
     }
+    EXPECT_EQ(debug_text("#declare A = " + std::string(200'001, '-') + "7; #debug str(A,0,0)"), "-7");
     EXPECT_EQ(debug_text("#declare A = " + std::string(99, '(') + "7" + std::string(99, ')') + "; #debug str(A,0,0)"), "7");
 }
 

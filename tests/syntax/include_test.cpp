@@ -22,13 +22,15 @@ TEST(Include, ReadsTheFileWhereItStands) {
     EXPECT_EQ(read_scene("sphere { #include \"half.inc\" 1 } #include \"empty.inc\"", {}, files).error, "");
 }
 
-TEST(Include, IsLookedForBesideTheIncludingFileThenInTheLibraries) {
+TEST(Include, IsLookedForHereThenBesideTheIncludingFileThenInTheLibraries) {
     const Files files{{"a.inc", "#debug \"here\""},        {"lib/a.inc", "#debug \"library\""}, {"lib/only.inc", "#debug \"library\""},
-                      {"sub/b.inc", "#include \"a.inc\""}, {"sub/a.inc", "#debug \"beside\""},  {"two/only.inc", "#debug \"second\""}};
+                      {"sub/b.inc", "#include \"a.inc\""}, {"sub/a.inc", "#debug \"beside\""},  {"two/only.inc", "#debug \"second\""},
+                      {"sub/d.inc", "#include \"c.inc\""}, {"sub/c.inc", "#debug \"beside\""},  {"lib/c.inc", "#debug \"library\""}};
     ParseOptions options;
     options.library_paths = {"lib", "two"};
     EXPECT_EQ(debug_text("#include \"a.inc\"", options, files), "here");
-    EXPECT_EQ(debug_text("#include \"sub/b.inc\"", options, files), "beside");
+    EXPECT_EQ(debug_text("#include \"sub/b.inc\"", options, files), "here");
+    EXPECT_EQ(debug_text("#include \"sub/d.inc\"", options, files), "beside");
     EXPECT_EQ(debug_text("#include \"only.inc\"", options, files), "library");
 }
 

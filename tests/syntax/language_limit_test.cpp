@@ -22,7 +22,7 @@ TEST(LanguageLimit, EndlessLoopsEnd) {
     for (const char* scene :
          {"#while(1) #end", "#while(1) #if(1) #else #end #end", "#for(I,0,1e300) #end", "#for(I,0,0) #declare I=-1; #end",
           "#while(1) #while(0) #end #end", "#macro M() #end #while(1) M() #end", "sphere { #while(1) #end 0, 1 }",
-          "#declare A = 1 #while(1) + 1 #end;", "#declare A = array[1000] #for(I,1,10) #declare B = A #end"})
+          "#declare A = (1 #while(1) + 1 #end);", "#declare A = array[1000] #for(I,1,10) #declare B = A #end"})
         EXPECT_THAT(limit_text(scene, options), testing::HasSubstr(text)) << scene;
     EXPECT_EQ(read_scene("#for(I,1,100) sphere { 0, 1 } #end", options).error, "");
 }

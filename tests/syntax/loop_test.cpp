@@ -62,6 +62,23 @@ TEST(Switch, ReadsFromTheFirstCaseThatHoldsToABreak) {
     });
 }
 
+TEST(Loop, ABreakInAMacroEndsTheMacro) {
+    expect_debug({
+        {"#macro M(A) Show(A) #break Show(9) #end M(1) Show(2)", "1 2 "},
+        {"#macro M(A) #if(1) Show(A) #break Show(9) #end Show(8) #end M(1) Show(2)", "1 2 "},
+        {"#macro B() #break Show(9) #end #while(1) B() Show(1) #break #end Show(2)", "1 2 "},
+        {"#macro B() #while(1) #break #end Show(1) #end B() Show(2)", "1 2 "},
+        {"#macro N() 3 #break #end Show(N()+1)", "4 "},
+    });
+}
+
+TEST(Loop, MacrosOfDirectivesMayStandBeforeTheFirstCase) {
+    expect_debug({
+        {"#macro M() Show(3) #end #switch(1) M() #case(1) Show(1) #end", "3 1 "},
+        {"#macro M() #end #macro N() M() M() #end #switch(2) N() #case(1) Show(1) #case(2) Show(2) #end", "2 "},
+    });
+}
+
 TEST(Loop, MistakesAreNamedAsPovRayNamesThem) {
     const Cases mistakes{
         {"#while(1)", "End of file reached but #end expected."},
@@ -88,7 +105,8 @@ TEST(Loop, MistakesAreNamedAsPovRayNamesThem) {
         {"#switch(\"a\") #case(\"a\") #end", "Expected 'string comparison operator', ) found instead"},
         {"#switch(1) #case(1) #case(Nope) #end", "Expected 'numeric expression', undeclared identifier 'Nope' found instead"},
         {"#switch(1) #case(2)", "End of file reached but #end expected."},
-        {"#switch(1) #if(1) #case(1) #end #end", "What stands in parentheses must end in the text it begins in."},
+        {"#switch(1) #if(1) #case(1) #end #end", "What stands before the first #case must end in the text it begins in."},
+        {"#macro M() #case(1) #end #switch(1) M() #end", "Mis-matched '#case' or '#range'."},
         {"#if(1) #case(1) #end", "Mis-matched '#case' or '#range'."},
         {"#break", "Invalid context for #break"},
         {"#if(1) #break #end", "Invalid context for #break"},

@@ -107,10 +107,16 @@ TEST(Macro, MistakesAreNamedAsPovRayNamesThem) {
         {"#macro M() #end #undef M M()", "Expected 'object or directive', undeclared identifier 'M' found instead"},
         {"#macro M() 1) #end #if(M() #end", "What stands in parentheses must end in the text it begins in."},
         {"#macro C() 1) #end #while(C() #end", "What stands in parentheses must end in the text it begins in."},
-        {"#macro B() #break #end #while(1) B() #end", "Invalid context for #break"},
     };
     for (const auto& [scene, text] : mistakes) EXPECT_EQ(error_text(scene), text) << scene;
     EXPECT_NE(error_text("#macro M #end"), "");
+}
+
+TEST(Macro, ANameThatAMacroEndsWithIsPassedItself) {
+    const std::string set = "#declare N=1; #macro Set(X) #declare X=5; #end #macro Name() N #end #macro More() Name() #end ";
+    EXPECT_EQ(debug_text(set + "Set(Name()) #debug str(N,0,0)"), "5");
+    EXPECT_EQ(debug_text(set + "Set(More()) #debug str(N,0,0)"), "5");
+    EXPECT_EQ(debug_text(set + "Set(Name() + 0) #debug str(N,0,0)"), "1");
 }
 
 TEST(Macro, MistakesInsideArePointedAtInTheBody) {

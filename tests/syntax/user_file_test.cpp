@@ -71,6 +71,7 @@ TEST(UserFile, MistakesAreNamedAsPovRayNamesThem) {
         {"#fopen F \"pairs.txt\" read #write(F,1)", "Cannot write to file pairs.txt because the file is open for reading only."},
         {"#fopen F \"o.txt\" write #read(F,V)", "Cannot read from file o.txt because the file is open for writing only."},
         {"#fopen F \"o.txt\" write #write(F,sphere{0,1})", "Expected 'string', sphere found instead"},
+        {"#fopen F \"o.txt\" write #write(F,uint8 3)", "'#write of uint8' is not modelled."},
         {"#fopen F \"o.txt\"", "Expected 'read or write', End of File found instead"},
         {"#fopen x \"o.txt\" read", "Expected 'undeclared identifier', vector function 'x' found instead"},
         {"#fopen F \"name.txt\" read #read(F,V)", "Expected 'float, vector, or string literal', undeclared identifier 'abc' found instead"},
