@@ -21,7 +21,7 @@ struct Fog {
     double distance = 0.0;  ///< 0: no fog
     PigmentColor color;     ///< transmit: the least that is seen through it; filter: how far its colour tints what is
     double offset = 0.0;    ///< ground fog: the height up to which it is full
-    double altitude = 0.0;  ///< ground fog: the height above `offset` where a quarter of it is left
+    double altitude = 0.0;  ///< ground fog: the height above `offset` where half of it is left
     Vec3 up{0.0, 1.0, 0.0};
     std::optional<Turbulence> turbulence;
     float turbulence_depth = 0.5F;

@@ -58,7 +58,6 @@ struct Object {
     Object& operator=(Object&&) noexcept = default;
 };
 
-/// Vectors as stated; `direction`, `right` and `up` are not yet combined with `angle` and `look_at` (that depends on the profile).
 /// A grid of n1 x n2 shadow samples spanned by two axes around the light's location.
 struct AreaLight {
     Vec3 axis1{0.0}, axis2{0.0};

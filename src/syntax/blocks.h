@@ -18,10 +18,13 @@ PigmentColor parse_color(Reader& reader);  ///< every form of a colour, with or 
 Rgb parse_rgb(
     Reader& reader);  ///< where only red, green and blue count: filter and transmit are dropped with a warning; black if none is there
 bool at_color(Reader& reader);  ///< does a colour keyword or a colour identifier come next?
+/// With the vectors as stated: what `angle` and `look_at` make of them depends on the profile.
 Camera parse_camera(Reader& reader);
+/// Moves everything of the light that has a place or a direction, what it shines through included.
 void transform_light(Reader& reader, const Span& place, Light& light, const Transform& t);
 /// The modifiers of a declared light: any that an object takes, of which only transforms mean anything.
 void modify_light(Reader& reader, const Span& place, Light& light);
+/// Into the reader's scene.
 void parse_global_settings(Reader& reader);
 // Each of these starts from `base` unless the block begins with a declared name.
 Pigment parse_pigment(Reader& reader, Pigment base);
@@ -47,6 +50,7 @@ std::optional<Placeable> accept_object(Reader& reader);
 Placeable parse_object_block(Reader& reader, std::string_view word, const Vec3& location = Vec3(0.0));
 /// Of a light that shows an object: a set of both.
 Placeable parse_light(Reader& reader);
+/// A set of the group's objects with lights that shine on them alone.
 ObjectValue parse_light_group(Reader& reader);
 
 }  // namespace rt

@@ -11,7 +11,7 @@
 
 namespace rt {
 
-/// How deep blocks and parentheses may be nested on the stack of the calling thread: 1000, or what it surely holds, but at least 100.
+/// How deep blocks and parentheses may be nested on the stack of the calling thread: 1000, or what it surely holds, but at least 10.
 int nesting_that_fits();
 /// True where less is left of the stack than the next level of nesting surely fits into.
 bool stack_is_low();

@@ -5,9 +5,9 @@
 
 namespace rt {
 
-bool is_unmodelled_shape(Word w);    ///< union, blob, height_field ...: blocks that stand where an object may
-bool is_unmodelled_pattern(Word w);  ///< gradient, bozo, image_map ...: what may begin a pigment besides a colour and checker
-bool is_unmodelled_item(Word w);     ///< fog, sky_sphere ...: top-level blocks that are no objects
+bool is_unmodelled_shape(Word w);    ///< julia_fractal ...: blocks that stand where an object may
+bool is_unmodelled_pattern(Word w);  ///< pavement, tiling: what may begin a pigment besides what is modelled
+bool is_unmodelled_item(Word w);     ///< media: top-level blocks that are no objects
 
 /// Reports `word` (its token was just taken), then skips its block; features inside are reported too.
 void skip_unmodelled_block(Reader& reader, const Token& word);
