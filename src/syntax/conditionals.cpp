@@ -25,6 +25,7 @@ void Reader::State::begin_conditional(const Span& place, Word w) {
 bool Reader::State::condition(Word w) {
     const std::size_t frame_count = frames.size();
     reader.expect('(');
+    const NestingGuard guard(*this, last);
     bool holds;
     if (w == Word::ifdef || w == Word::ifndef) {
         holds = is_declared(take_name()) == (w == Word::ifdef);

@@ -10,7 +10,7 @@ namespace {
 
 enum class SweepKind { linear, cubic, b_spline };
 
-SweepKind parse_kind(Reader& reader) {
+SweepKind parse_sweep_kind(Reader& reader) {
     if (reader.accept(Word::linear_spline)) return SweepKind::linear;
     if (reader.accept(Word::cubic_spline)) return SweepKind::cubic;
     if (reader.accept(Word::b_spline)) return SweepKind::b_spline;
@@ -31,7 +31,7 @@ std::vector<SweepPiece> pieces_of(SweepKind kind, const std::vector<SweptSphere>
 }  // namespace
 
 ParsedShape parse_sphere_sweep(Reader& reader) {
-    const SweepKind kind = parse_kind(reader);
+    const SweepKind kind = parse_sweep_kind(reader);
     reader.accept_comma();
     const std::size_t count = parse_count(reader);
     if (count < (kind == SweepKind::linear ? 2u : 4u)) reader.fail(reader.peek().span, "Too few modeling spheres for interpolation type.");

@@ -88,7 +88,7 @@ Warp parse_turbulence(Reader& reader) {
     return *warp;
 }
 
-Warp parse_kind(Reader& reader) {
+Warp parse_warp_kind(Reader& reader) {
     if (reader.accept(Word::repeat)) return parse_repeat(reader);
     if (reader.accept(Word::black_hole)) return parse_black_hole(reader);
     if (reader.accept(Word::turbulence)) return parse_turbulence(reader);
@@ -104,7 +104,7 @@ Warp parse_kind(Reader& reader) {
 
 Warp parse_warp(Reader& reader) {
     reader.begin_block("warp");
-    Warp warp = parse_kind(reader);
+    Warp warp = parse_warp_kind(reader);
     reader.end_block();
     return warp;
 }

@@ -120,7 +120,7 @@ DEPTH = [
     deep("braces without a word", "sphere { 0, 1 ", "{ ", "", "} ", "}\n", "No matching } in 'sphere', { found instead", 1),
     deep("parentheses", "#declare A = ", "(", "1", ")", ";\n"),
     deep("vectors", "#declare A = ", "<", "1", ",1>.x", ";\n"),
-    deep("signs", "#declare A = ", "-", "1", "", ";\n"),
+    deep("signs", "#declare A = ", "-(", "1", ")", ";\n"),
     deep("#if", "", "#if (1)\n", "sphere { 0, 1 }\n", "#end\n", "", ""),
     deep("#if not taken", "#if (0)\n", "#if (1)\n", "#error \"\"\n", "#end\n", "#end\nsphere { 0, 1 }\n", ""),
     deep("#if of #if", "", "#if (1 ", "", "#end ) #end ", "", NESTING),
