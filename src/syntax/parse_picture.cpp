@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "patterns/density.h"
 #include "syntax/expression.h"
@@ -17,21 +18,21 @@ namespace {
 /// What files of a type may be called.
 struct PictureType {
     Word word;
-    std::vector<std::string_view> extensions;
+    std::array<std::string_view, 4> extensions;  ///< empty ones stand for none
 };
-const std::array picture_types{PictureType{Word::bmp, {".bmp", ".BMP"}},
-                               PictureType{Word::exr, {".exr", ".EXR"}},
-                               PictureType{Word::gif, {".gif", ".GIF"}},
-                               PictureType{Word::hdr, {".hdr", ".HDR"}},
-                               PictureType{Word::iff, {".iff", ".IFF"}},
-                               PictureType{Word::jpeg, {".jpg", ".JPG", ".jpeg", ".JPEG"}},
-                               PictureType{Word::pgm, {".pgm", ".PGM"}},
-                               PictureType{Word::png, {".png", ".PNG"}},
-                               PictureType{Word::pot, {".pot", ".POT"}},
-                               PictureType{Word::ppm, {".ppm", ".PPM"}},
-                               PictureType{Word::sys, {".bmp", ".BMP"}},
-                               PictureType{Word::tga, {".tga", ".TGA"}},
-                               PictureType{Word::tiff, {".tif", ".TIF", ".tiff", ".TIFF"}}};
+constexpr std::array picture_types{PictureType{Word::bmp, {".bmp", ".BMP"}},
+                                   PictureType{Word::exr, {".exr", ".EXR"}},
+                                   PictureType{Word::gif, {".gif", ".GIF"}},
+                                   PictureType{Word::hdr, {".hdr", ".HDR"}},
+                                   PictureType{Word::iff, {".iff", ".IFF"}},
+                                   PictureType{Word::jpeg, {".jpg", ".JPG", ".jpeg", ".JPEG"}},
+                                   PictureType{Word::pgm, {".pgm", ".PGM"}},
+                                   PictureType{Word::png, {".png", ".PNG"}},
+                                   PictureType{Word::pot, {".pot", ".POT"}},
+                                   PictureType{Word::ppm, {".ppm", ".PPM"}},
+                                   PictureType{Word::sys, {".bmp", ".BMP"}},
+                                   PictureType{Word::tga, {".tga", ".TGA"}},
+                                   PictureType{Word::tiff, {".tif", ".TIF", ".tiff", ".TIFF"}}};
 
 /// `filter all f`, `filter index, f`: the latter means entries of a palette, which pictures do not keep.
 void parse_share(Reader& reader, double& all) {
@@ -115,7 +116,8 @@ void parse_picture_file(Reader& reader, StatedPicture& picture) {
     if (!typed && !at_string(reader)) reader.fail_expected("map file spec");
     std::vector<std::string_view> extensions;
     for (const PictureType& type : picture_types)
-        if (!typed || type.word == first) extensions.insert(extensions.end(), type.extensions.begin(), type.extensions.end());
+        if (!typed || type.word == first)
+            std::copy_if(type.extensions.begin(), type.extensions.end(), std::back_inserter(extensions), [](auto e) { return !e.empty(); });
     Token name = reader.peek();
     const std::string text = reader.parse_string();
     name.text = text;
