@@ -58,7 +58,7 @@ double noise_value(const Pattern& pattern, const Vec3& q) {
         case K::wrinkles:
             return wrinkles(pattern.noise, q);
         default:
-            return 0.0;
+            return raw_cell(pattern, q);
     }
 }
 

@@ -71,8 +71,8 @@ enum class PatternKind : std::uint8_t {
 std::optional<PatternKind> pattern_kind(std::string_view word);
 std::string_view name(PatternKind kind);
 
-/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic): how many colours they list; 0 for all others, whose
-/// values are looked up in a map.
+/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic): how many colours they list, which are a map from 0 to that number
+/// less 1; 0 for all others.
 int cell_count(PatternKind kind);
 inline bool has_cells(PatternKind kind) { return cell_count(kind) > 0; }
 /// How many colours stand in a list behind the kind's word: those of its cells; of `object`, what is outside and what is inside, which are
@@ -210,7 +210,8 @@ struct Pattern {
     bool operator==(const Pattern&) const = default;
 };
 
-/// A pattern of `kind` with POV-Ray's defaults: its numbers, and the triangle wave for marble, wood, spiral1 and spiral2.
+/// A pattern of `kind` with POV-Ray's defaults: its numbers, the triangle wave for marble, wood, spiral1 and spiral2, and frequency 0 for
+/// cells, whose numbers are what a map is asked with until a frequency is stated.
 Pattern make_pattern(PatternKind kind);
 
 /// Appends a transform (pattern space to the space around it) to the chain, as one step with a transform just before it.
@@ -224,7 +225,7 @@ struct PatternSurface {
 
 /// From the space around to the point that the kind and the entries of a map see.
 Vec3 pattern_point(const Pattern& pattern, const Vec3& p);
-/// The kind's value at a pattern point; 0 for kinds with cells and for those computed elsewhere.
+/// The kind's value at a pattern point: of cells their number; 0 for kinds computed elsewhere.
 double raw_value(const Pattern& pattern, const Vec3& q, const PatternSurface& surface = {});
 /// Frequency, phase and wave.
 double wave_value(const Pattern& pattern, double raw);
@@ -234,7 +235,7 @@ double pattern_value(const Pattern& pattern, const Vec3& p, const PatternSurface
 /// The value of a picture, which is not empty, at a place on it.
 double image_height(const ImageNumbers& image, const Vec2& place);
 
-/// The index of the colour at a pattern point, 0 to cell_count - 1. Frequency, phase and wave do not act on cells.
+/// The number of the cell at a pattern point, 0 to cell_count - 1, before frequency, phase and wave.
 int raw_cell(const Pattern& pattern, const Vec3& q);
 /// The same from the space around.
 int pattern_cell(const Pattern& pattern, const Vec3& p);

@@ -130,6 +130,7 @@ Pattern make_pattern(PatternKind kind) {
     Pattern pattern;
     pattern.kind = kind;
     pattern.numbers = default_numbers(kind);
+    if (has_cells(kind)) pattern.frequency = 0.0F;
     if (kind == K::marble || kind == K::wood || kind == K::spiral1 || kind == K::spiral2) pattern.wave = WaveType::triangle;
     return pattern;
 }

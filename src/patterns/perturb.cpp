@@ -15,11 +15,6 @@ const std::array<Vec3, 4> corners{{{0.942809041, -0.333333333, 0.0},
                                    {-0.471404521, -0.333333333, -0.816496581},
                                    {0.0, 1.0, 0.0}}};
 
-/// What a finite difference is taken of: the cell's number, or the value after frequency, phase and wave.
-double height_at(const Pattern& pattern, const Vec3& q, const PatternSurface& surface) {
-    return has_cells(pattern.kind) ? raw_cell(pattern, q) : wave_value(pattern, raw_value(pattern, q, surface));
-}
-
 Vec3 wrinkled(const Vec3& q) {
     Vec3 sum(0.0);
     double scale = 1.0;
@@ -136,7 +131,7 @@ Vec3 perturbed(const Pattern& pattern, const Bump& bump, const Vec3& n0, const V
     }
     const std::array<Vec3, 4> points = difference_points(bump, q);
     std::array<double, 4> values{};
-    for (std::size_t i = 0; i < 4; ++i) values[i] = height_at(pattern, points[i], surface);
+    for (std::size_t i = 0; i < 4; ++i) values[i] = wave_value(pattern, raw_value(pattern, points[i], surface));
     return perturbed_by(bump, n0, values);
 }
 

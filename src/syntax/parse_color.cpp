@@ -136,7 +136,7 @@ bool at_color(Reader& reader) {
     if (next.kind != Token::Kind::identifier) return false;
     const Value* const value = reader.next_value();
     const Number* const number = value ? std::get_if<Number>(value) : nullptr;
-    return number && number->color;
+    return number && (number->color || number->size == 5);
 }
 
 PigmentColor parse_color(Reader& reader) { return parse_any_color(reader, false); }

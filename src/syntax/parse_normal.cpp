@@ -43,18 +43,15 @@ bool parse_content(Reader& reader, Normal& normal) {
         normal.bump.amount = 0.0F;
         return true;
     }
-    const bool uv = reader.accept(Word::uv_mapping);
-    normal.pattern.uv_mapping |= uv;
     if (reader.accept(Word::bump_map)) {
-        Pattern made = make_pattern(PatternKind::bump_map);
-        made.warps = std::move(normal.pattern.pattern.warps);
-        made.numbers = parse_value_image(reader, &normal.bump.amount);
-        normal.pattern.pattern = std::move(made);
+        become(normal.pattern, PatternKind::bump_map);
+        normal.pattern.pattern.numbers = parse_value_image(reader, &normal.bump.amount);
+        normal.map.reset();
     } else if (!accept_pattern(reader, normal.pattern, PatternUse::normal)) {
-        return uv;
+        return false;
     }
-    normal.map.reset();
     const PatternKind kind = normal.pattern.pattern.kind;
+    if (!takes_map(kind)) normal.map.reset();
     if (!takes_map(kind) && reader.peek().is(Word::normal)) {
         parse_cells(reader, normal);
         end_list(reader, kind);
@@ -98,11 +95,15 @@ bool accept_modifier(Reader& reader, Normal& normal) {
 }  // namespace
 
 Normal parse_normal_body(Reader& reader, const Normal* base) {
-    const Normal* const declared = reader.accept_declared<Normal>();
-    if (declared) base = declared;
+    const bool uv = reader.accept(Word::uv_mapping);
+    if (const Normal* const declared = reader.accept_declared<Normal>()) base = declared;
     Normal normal = base ? *base : Normal{};
+    normal.pattern.uv_mapping |= uv;
     const Span place = reader.peek().span;
-    if (!(!declared && parse_content(reader, normal)) && !base) reader.fail(place, "No normal type given.");
+    if (!parse_content(reader, normal)) {
+        if (!base) reader.fail(place, "No normal type given.");
+        parse_amount(reader, normal);
+    }
     while (accept_modifier(reader, normal)) continue;
     if (normal.pattern.pattern.kind == PatternKind::average && !normal.map) reader.fail(reader.peek().span, "Average must have map.");
     return normal;

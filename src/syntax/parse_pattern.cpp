@@ -196,6 +196,15 @@ void parse_noise_generator(Reader& reader, StatedPattern& stated) {
 
 }  // namespace
 
+void become(StatedPattern& stated, PatternKind kind) {
+    const Pattern made = make_pattern(kind);
+    stated.pattern.kind = kind;
+    stated.pattern.numbers = made.numbers;
+    if (has_cells(kind)) stated.pattern.frequency = made.frequency;
+    if (made.wave != WaveType::ramp) stated.pattern.wave = made.wave;
+    stated.source = {};
+}
+
 bool takes_map(PatternKind kind) { return list_size(kind) == 0; }
 
 void end_list(Reader& reader, PatternKind kind) {
@@ -211,12 +220,7 @@ bool accept_pattern(Reader& reader, StatedPattern& stated, PatternUse use) {
         reader.fail(next.span, fmt::format("Keyword '{}' can only be used in a normal statement.", text(next.word)));
     if (*kind == PatternKind::bump_map) return false;
     reader.take();
-    Pattern made = make_pattern(*kind);
-    made.noise = stated.pattern.noise;
-    made.warps = std::move(stated.pattern.warps);
-    made.turbulence = stated.pattern.turbulence;
-    stated.pattern = std::move(made);
-    stated.source = {};
+    become(stated, *kind);
     parse_numbers(reader, stated);
     return true;
 }

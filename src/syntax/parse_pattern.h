@@ -8,7 +8,10 @@ namespace rt {
 
 enum class PatternUse { pigment, normal, texture };
 
-/// Takes the pattern that comes next, up to its colours: its kind with its numbers. What moved a pattern before still moves this one.
+/// A new kind for a pattern that may be a declared one: all stays but its numbers, the frequency of cells and the wave of kinds that have
+/// their own.
+void become(StatedPattern& stated, PatternKind kind);
+/// Takes the pattern that comes next, up to its colours: its kind with its numbers.
 bool accept_pattern(Reader& reader, StatedPattern& stated, PatternUse use);
 /// Takes a transform, a warp or a number of the pattern.
 bool accept_pattern_modifier(Reader& reader, StatedPattern& stated, PatternUse use);

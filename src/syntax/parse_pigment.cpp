@@ -35,7 +35,7 @@ void parse_cells(Reader& reader, PatternPigment& patterned) {
     }
     if (!reader.peek().is(Word::pigment)) {
         for (std::size_t i = 0; i < count; ++i) {
-            if (!at_color(reader) && (!reader.at_expression() || reader.peek().is('<'))) break;
+            if (!at_color(reader) && !reader.at_expression()) break;
             colors.colors[i] = parse_color(reader);
             reader.accept_comma();
         }
@@ -75,7 +75,8 @@ bool parse_content(Reader& reader, Pigment& pigment) {
     if (reader.accept(Word::image_map)) {
         edited.map = parse_image_map(reader);
     } else if (accept_pattern(reader, edited.pattern, PatternUse::pigment)) {
-        edited.map = {};
+        // A map that the pigment has from one that was declared stays.
+        if (std::holds_alternative<Shared<ImageMap>>(edited.map)) edited.map = {};
         const PatternKind kind = edited.pattern.pattern.kind;
         if (!takes_map(kind)) parse_cells(reader, edited);
         end_list(reader, kind);

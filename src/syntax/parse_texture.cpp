@@ -99,12 +99,25 @@ void parse_transforms(Reader& reader, std::optional<TextureLayers>& layers) {
     if (const std::optional<Transform> t = accept_transforms(reader)) transform_layers(reader, layers_or_default(reader, layers), *t);
 }
 
+/// A pigment, normal or finish by the name that it was declared with, in the place of what the layer has.
+bool accept_declared_part(Reader& reader, std::optional<TextureLayers>& layers) {
+    const auto top = [&]() -> PlainTexture& { return edit_top(reader, layers_or_default(reader, layers)); };
+    if (const Pigment* const pigment = reader.accept_declared<Pigment>())
+        top().pigment = *pigment;
+    else if (const Normal* const normal = reader.accept_declared<Normal>())
+        top().normal = Shared<Normal>(*normal);
+    else if (const Finish* const finish = reader.accept_declared<Finish>())
+        top().finish = *finish;
+    else
+        return false;
+    return true;
+}
+
 /// A layer that is no pattern of textures: edits the top of `layers`.
 void parse_plain_parts(Reader& reader, std::optional<TextureLayers>& layers) {
-    for (;;) {
-        parse_transforms(reader, layers);
-        if (!accept_layer_part(reader, layers)) break;
-    }
+    while (accept_declared_part(reader, layers)) continue;
+    do parse_transforms(reader, layers);
+    while (accept_layer_part(reader, layers));
     if (at_color(reader) && reader.peek().kind == Token::Kind::word)
         reader.fail(reader.peek().span, "Keyword 'color' can only be used in a pigment or density statement.");
 }

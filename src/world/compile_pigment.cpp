@@ -15,7 +15,10 @@ bool transmits(const PigmentColor& c) { return std::fabs(c.filter) > 1e-10 || st
 Shared<ColorMap> default_colors(PatternKind kind) {
     ColorMap map;
     if (list_size(kind) > 0) {
-        for (const Rgb& color : default_cell_colors(kind)) map.colors.push_back({color, 0.0, 0.0});
+        for (const Rgb& color : default_cell_colors(kind)) {
+            map.values.push_back(static_cast<double>(map.values.size()));
+            map.colors.push_back({color, 0.0, 0.0});
+        }
     } else {
         for (const DefaultMapEntry& entry : default_color_map(kind)) {
             map.values.push_back(entry.value);

@@ -4,13 +4,12 @@ namespace rt {
 
 namespace {
 
-/// Kinds whose values this room computes turn normals by the slope of these values; the numbers of cells are no waves.
+/// Kinds whose values this room computes turn normals by the slope of these values.
 Vec3 turned_by_slope(const NormalNode& node, const Vec3& n0, const Vec3& q, const TexturePoint& seen) {
     const std::array<Vec3, 4> points = difference_points(node.bump, q);
-    const bool cells = has_cells(node.pattern.pattern.kind);
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < 4; ++i)
-        values[i] = cells ? raw_cell(node.pattern.pattern, points[i]) : value_at(node.pattern, points[i], seen);
+        values[i] = value_at(node.pattern, points[i], seen);
     return perturbed_by(node.bump, n0, values);
 }
 
@@ -23,7 +22,7 @@ Vec3 turned(const NormalNode& node, const Vec3& normal, const Vec3& p, const Tex
     Vec3 n1(0.0);
     if (!node.children.empty())
         for_each_entry(node.pattern, q, seen, [&](std::size_t i, double share) { n1 += share * turned(node.children[i], n0, q, seen); });
-    else if (is_computed_elsewhere(pattern.kind) || has_cells(pattern.kind))
+    else if (is_computed_elsewhere(pattern.kind))
         n1 = turned_by_slope(node, n0, q, seen);
     else
         n1 = perturbed(pattern, node.bump, n0, q, seen.surface);

@@ -49,14 +49,8 @@ PigmentColor color_of_node(const PigmentTree& tree, const PigmentNode& node, con
     const std::size_t children = node.first_child;
     if (surface.colors) {
         const std::vector<PigmentColor>& colors = (*surface.colors)->colors;
-        if (has_cells(pattern.pattern.kind))
-            return colors[std::min(static_cast<std::size_t>(raw_cell(pattern.pattern, q)), colors.size() - 1)];
         const MapPlace place = find_in_map((*surface.colors)->values, value_at(pattern, q, seen));
         return mixed(colors[place.lower], colors[place.upper], place.weight);
-    }
-    if (has_cells(pattern.pattern.kind)) {
-        const auto cell = std::min(static_cast<std::size_t>(raw_cell(pattern.pattern, q)), pattern.values.size() - 1);
-        return color_of_node(tree, tree[children + cell], q, seen, quick);
     }
     PigmentColor sum;
     for_each_entry(pattern, q, seen,
@@ -78,7 +72,6 @@ double raw_value_at(const PatternNode& node, const Vec3& q, const TexturePoint& 
         there.point = q;
         return grey(color_at(node.grey, there, false).rgb);
     }
-    if (has_cells(node.pattern.kind)) return raw_cell(node.pattern, q);
     return raw_value(node.pattern, q, seen.surface);
 }
 

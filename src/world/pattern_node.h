@@ -23,7 +23,8 @@ struct PigmentNode;
 /// A colour tree; the root is element 0. Children of one node stand one after the other.
 using PigmentTree = std::vector<PigmentNode>;
 
-/// A pattern with all that its value needs, and where its entries stand: their values, ascending, or their weights for `average`.
+/// A pattern with all that its value needs, and where its entries stand: their values, ascending (of cells 0, 1, 2 ...), or their weights
+/// for `average`.
 struct PatternNode {
     Pattern pattern;
     bool uv_mapping = false;
@@ -46,8 +47,6 @@ void for_each_entry(const PatternNode& node, const Vec3& q, const TexturePoint& 
         for (const double weight : node.values) sum += weight;
         for (std::size_t i = 0; i < node.values.size(); ++i)
             if (node.values[i] != 0.0) visit(i, node.values[i] / sum);
-    } else if (has_cells(node.pattern.kind)) {
-        visit(std::min(static_cast<std::size_t>(raw_cell(node.pattern, q)), node.values.size() - 1), 1.0);
     } else {
         const MapPlace place = find_in_map(node.values, value_at(node, q, seen));
         if (place.weight < 1.0) visit(place.lower, 1.0 - place.weight);
