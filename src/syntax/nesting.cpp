@@ -49,6 +49,10 @@ std::size_t stack_bytes() {
 
 bool stack_is_low() { return stack_bytes() < reserve; }
 
-int nesting_that_fits() { return static_cast<int>(std::clamp(stack_bytes() / bytes_a_level, least, most)); }
+int nesting_that_fits() {
+    // In twenties: where the stack begins is the system's choice, anew for every run, and should not show.
+    const std::size_t levels = stack_bytes() / bytes_a_level / 20 * 20;
+    return static_cast<int>(std::clamp(levels, least, most));
+}
 
 }  // namespace rt
