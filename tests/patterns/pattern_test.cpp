@@ -34,6 +34,21 @@ TEST(Pattern, TriangleWavesOfItsOwn) {
     }
 }
 
+TEST(Pattern, CellsHaveTheirNumbersUntilAFrequencyIsStated) {
+    for (int i = 0; i <= last_kind; ++i) {
+        const auto kind = static_cast<PatternKind>(i);
+        EXPECT_EQ(make_pattern(kind).frequency, has_cells(kind) ? 0.0F : 1.0F) << name(kind);
+    }
+    Pattern faces = make_pattern(PatternKind::cubic);
+    const Vec3 last_face(0.1, 0.2, -1.0);
+    ASSERT_EQ(raw_cell(faces, last_face), 5);
+    EXPECT_EQ(pattern_value(faces, last_face), 5.0);
+    faces.phase = 0.5F;
+    EXPECT_EQ(pattern_value(faces, last_face), 5.0) << "no phase without frequency";
+    faces.frequency = 0.5F;
+    EXPECT_EQ(pattern_value(faces, last_face), std::fmod(3.0, 1.00001));
+}
+
 TEST(Pattern, NumbersOfItsOwn) {
     EXPECT_EQ(std::get<BrickNumbers>(make_pattern(PatternKind::brick).numbers), (BrickNumbers{{8, 3, 4.5}, .5}));
     EXPECT_EQ(std::get<DensityNumbers>(make_pattern(PatternKind::density_file).numbers).interpolate, 0);

@@ -146,6 +146,69 @@ TEST(NormalBlock, ASecondBlockEditsAndDeclaredOnesAreCopied) {
     EXPECT_EQ((*mapped.map)->normals.at(1).pattern.pattern.kind, PatternKind::average);
 }
 
+TEST(PatternBlock, ANewKindKeepsWhatWasDeclared) {
+    const auto of = [](const std::string& body) {
+        return pattern_of(layer(only("#declare P = pigment { gradient x sine_wave frequency 3 phase 0.5 color_map { [0 rgb 1] [1 rgb 0] } }"
+                                     "#declare C = pigment { checker rgb 1, rgb 0 scale 2 } sphere { 0, 1 pigment { " +
+                                     body + " } }"))
+                              .pigment);
+    };
+    const PatternPigment bozo = of("P bozo");
+    EXPECT_EQ(bozo.pattern.pattern.kind, PatternKind::bozo);
+    EXPECT_EQ(bozo.pattern.pattern.wave, WaveType::sine);
+    EXPECT_EQ(bozo.pattern.pattern.frequency, 3.0F);
+    EXPECT_EQ(bozo.pattern.pattern.phase, 0.5F);
+    EXPECT_EQ(colors(bozo).colors.at(0).rgb, Rgb(1.0));
+    EXPECT_EQ(of("P marble").pattern.pattern.wave, WaveType::triangle) << "its own";
+    EXPECT_EQ(of("P checker").pattern.pattern.frequency, 0.0F) << "that of cells";
+    EXPECT_EQ(of("C gradient x").pattern.pattern.frequency, 0.0F) << "that of cells still";
+    EXPECT_EQ(moved(of("C gradient x").pattern.pattern, Vec3(1.0)), Vec3(2.0));
+    EXPECT_THAT(colors(of("C gradient x")).values, ElementsAre(0.0, 1.0));
+}
+
+TEST(PatternBlock, CellsTakeVectorsAsColors) {
+    const PatternPigment p = pigment("hexagon <1, 0, 0>, 0.5, <0, 1, 0, 0, 0.25>");
+    EXPECT_EQ(colors(p).colors.at(0).rgb, Rgb(1, 0, 0));
+    EXPECT_EQ(colors(p).colors.at(2).transmit, 0.25);
+    EXPECT_EQ(error_in_pigment("checker <1, 0, 0> <0, 1, 0>"), "No matching } in 'pigment', float function 'float constant' found instead")
+        << "a comparison, as POV-Ray has it";
+}
+
+TEST(NormalBlock, AmountsAndPatternsFollowADeclaredOne) {
+    const auto of = [](const std::string& body) {
+        return **layer(only("#declare N = normal { dents 2 scale 3 } #declare M = normal { gradient x normal_map { [0 bumps] [1 dents] } } "
+                            "sphere { 0, 1 normal { " +
+                            body + " } }"))
+                     .normal;
+    };
+    EXPECT_EQ(of("N 2.5").bump.amount, 2.5F);
+    EXPECT_EQ(of("N, 2.5 scale 2").bump.amount, 2.5F);
+    EXPECT_EQ(of("N bumps").bump.amount, 2.0F);
+    EXPECT_EQ(of("N bumps 1").pattern.pattern.kind, PatternKind::bumps);
+    EXPECT_EQ(moved(of("N bumps").pattern.pattern, Vec3(1.0)), Vec3(3.0));
+    EXPECT_TRUE(of("M onion").map);
+    EXPECT_FALSE(of("M checker").map) << "cells have normals of their own";
+    EXPECT_TRUE(of("uv_mapping N bumps").pattern.uv_mapping);
+}
+
+TEST(TextureBlock, BeginsWithTheNamesOfDeclaredParts) {
+    const auto of = [](const std::string& body) {
+        return parse_block("#declare P = pigment { bozo } #declare N = normal { bumps } #declare F = finish { phong 0.5 } "
+                           "sphere { 0, 1 texture { " +
+                           body + " } }");
+    };
+    for (const char* body : {"P N F", "F P N", "N F P scale 2"}) {
+        const ParsedScene parsed = of(body);
+        ASSERT_EQ(parsed.error, "") << body;
+        const PlainTexture& top = layer(parsed.scene.objects.at(0));
+        EXPECT_EQ(pattern_of(top.pigment).pattern.pattern.kind, PatternKind::bozo) << body;
+        EXPECT_EQ((*top.normal)->pattern.pattern.kind, PatternKind::bumps) << body;
+        EXPECT_EQ(top.finish.phong, 0.5) << body;
+    }
+    EXPECT_EQ(of("finish { ambient 1 } P").error, "No matching } in 'texture', pigment identifier found instead");
+    EXPECT_EQ(of("scale 2 P").error, "No matching } in 'texture', pigment identifier found instead");
+}
+
 TEST(TextureBlock, PatternsOfTexturesNeedAMap) {
     const Object o = only("sphere { 0, 1 texture { gradient y texture_map { [0 pigment { rgb 1 }] [1 checker] } scale 2 } }");
     const PatternTexture& p = pattern_of((*o.texture)->at(0));
