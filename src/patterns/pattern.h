@@ -71,8 +71,8 @@ enum class PatternKind : std::uint8_t {
 std::optional<PatternKind> pattern_kind(std::string_view word);
 std::string_view name(PatternKind kind);
 
-/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic): how many colours they list, which are a map from 0 to that number
-/// less 1; 0 for all others.
+/// Patterns of cells (checker, brick, hexagon, square, triangular, cubic): how many colours they list, which are a map from 0 to that
+/// number less 1; 0 for all others.
 int cell_count(PatternKind kind);
 inline bool has_cells(PatternKind kind) { return cell_count(kind) > 0; }
 /// How many colours stand in a list behind the kind's word: those of its cells; of `object`, what is outside and what is inside, which are
@@ -217,10 +217,10 @@ Pattern make_pattern(PatternKind kind);
 /// Appends a transform (pattern space to the space around it) to the chain, as one step with a transform just before it.
 void append(Pattern& pattern, const Transform& transform);
 
-/// What a pattern may ask of the surface besides the point.
+/// What a pattern may ask of the surface besides the point; zero where there is none (skies, functions), and `slope` and `aoi` are 0.
 struct PatternSurface {
-    Vec3 normal{0.0, 1.0, 0.0};      ///< unit, as perturbed so far, turned against the ray
-    Vec3 direction{0.0, -1.0, 0.0};  ///< of the ray, unit
+    Vec3 normal{0.0};     ///< unit, as perturbed so far, turned against the ray
+    Vec3 direction{0.0};  ///< of the ray, unit
 };
 
 /// From the space around to the point that the kind and the entries of a map see.

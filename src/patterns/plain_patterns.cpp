@@ -68,6 +68,7 @@ double spiral2(const SpiralNumbers& numbers, const Vec3& p) {
 }
 
 double slope(const SlopeNumbers& numbers, const Vec3& p, const PatternSurface& surface) {
+    if (surface.normal == Vec3(0.0)) return 0.0;
     const double steepness = length(numbers.slope);
     const double rise = std::clamp(dot(surface.normal, numbers.slope) / steepness, -1.0, 1.0);
     double value = in_range(0.5 + std::asin(rise) / pi, numbers.slope_range);
@@ -80,6 +81,7 @@ double slope(const SlopeNumbers& numbers, const Vec3& p, const PatternSurface& s
 }
 
 double angle_of_incidence(const PatternSurface& surface) {
+    if (surface.normal == Vec3(0.0)) return 0.0;
     return std::acos(std::clamp(dot(surface.normal, surface.direction), -1.0, 1.0)) / pi;
 }
 

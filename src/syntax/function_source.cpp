@@ -1,8 +1,11 @@
 #include "syntax/function_source.h"
 
+#include <fmt/format.h>
+
 #include "scene/function_source.h"
 #include "syntax/blocks.h"
 #include "syntax/parse_pattern.h"
+#include "syntax/reader_state.h"
 #include "syntax/texture_layers.h"
 
 namespace rt {
@@ -34,6 +37,8 @@ std::shared_ptr<const Function> pattern_function(Reader& reader) {
     const Span place = reader.last_place();
     reader.begin_block("pattern");
     StatedPattern stated;
+    for (const Word unknown : {Word::aoi, Word::average, Word::slope})  // what asks for a surface or a map is not known here
+        if (reader.peek().is(unknown)) reader.end_block();
     if (!accept_pattern(reader, stated, PatternUse::pigment)) reader.fail_expected("pattern");
     end_list(reader, stated.pattern.kind);
     while (accept_pattern_modifier(reader, stated, PatternUse::pigment)) {
@@ -79,6 +84,22 @@ std::shared_ptr<const Function> grey_of(const PigmentFunction& pigment) {
 FunctionValue function_of_source(Reader& reader, Word word) {
     if (word == Word::pigment) return pigment_function(reader);
     return pattern_function(reader);
+}
+
+std::shared_ptr<const Function> Reader::parse_pattern_function() {
+    const Span place = last_place();
+    const Value value = state_->parse_function(place);
+    const auto* function = std::get_if<FunctionValue>(&value);
+    if (const auto* pigment = function ? std::get_if<PigmentFunction>(function) : nullptr) return grey_of(*pigment);
+    const auto* of_floats = function ? std::get_if<std::shared_ptr<const Function>>(function) : nullptr;
+    if (!of_floats) {
+        if (!std::holds_alternative<UnmodelledValue>(value))
+            fail(place, "A pattern's function is one of x, y and z with a number as value.");
+        return nullptr;
+    }
+    if ((*of_floats)->parameters != 3)
+        fail(place, fmt::format("Function has {} parameters, a pattern has 3: x, y and z.", (*of_floats)->parameters));
+    return *of_floats;
 }
 
 }  // namespace rt

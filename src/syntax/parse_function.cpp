@@ -343,17 +343,6 @@ std::vector<std::string_view> Reader::State::parse_parameters() {
     }
 }
 
-std::shared_ptr<const Function> Reader::parse_pattern_function() {
-    const Span place = last_place();
-    const Value value = state_->parse_function(place);
-    const auto* function = std::get_if<FunctionValue>(&value);
-    if (const auto* pigment = function ? std::get_if<PigmentFunction>(function) : nullptr) return grey_of(*pigment);
-    const auto* of_floats = function ? std::get_if<std::shared_ptr<const Function>>(function) : nullptr;
-    if (of_floats && (*of_floats)->parameters != 3)
-        fail(place, fmt::format("Function has {} parameters, a pattern has 3: x, y and z.", (*of_floats)->parameters));
-    return of_floats ? *of_floats : nullptr;
-}
-
 /// What follows the word `function`.
 Value Reader::State::parse_function(const Span& place) {
     const bool parameters_follow = raw_next_is('(');

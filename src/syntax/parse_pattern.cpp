@@ -64,11 +64,14 @@ void parse_slope_part(Reader& reader, Vec3& direction, Vec2& range) {
 }
 
 void parse_slope(Reader& reader, SlopeNumbers& numbers) {
-    const bool block = reader.peek().is('{');
-    if (block) reader.begin_block("slope");
+    if (!reader.peek().is('{')) {
+        numbers.slope = reader.parse_vector();
+        return;
+    }
+    reader.begin_block("slope");
     parse_slope_part(reader, numbers.slope, numbers.slope_range);
-    if (block && reader.accept(Word::altitude)) parse_slope_part(reader, numbers.altitude, numbers.altitude_range);
-    if (block) reader.end_block();
+    if (reader.accept(Word::altitude)) parse_slope_part(reader, numbers.altitude, numbers.altitude_range);
+    reader.end_block();
 }
 
 /// What stands right behind the kind's word.

@@ -8,8 +8,7 @@ namespace {
 Vec3 turned_by_slope(const NormalNode& node, const Vec3& n0, const Vec3& q, const TexturePoint& seen) {
     const std::array<Vec3, 4> points = difference_points(node.bump, q);
     std::array<double, 4> values{};
-    for (std::size_t i = 0; i < 4; ++i)
-        values[i] = value_at(node.pattern, points[i], seen);
+    for (std::size_t i = 0; i < 4; ++i) values[i] = value_at(node.pattern, points[i], seen);
     return perturbed_by(node.bump, n0, values);
 }
 

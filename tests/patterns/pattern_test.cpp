@@ -49,6 +49,14 @@ TEST(Pattern, CellsHaveTheirNumbersUntilAFrequencyIsStated) {
     EXPECT_EQ(pattern_value(faces, last_face), std::fmod(3.0, 1.00001));
 }
 
+TEST(Pattern, WithoutASurfaceSlopeAndAngleAreZero) {
+    EXPECT_EQ(raw_value(make_pattern(PatternKind::slope), Vec3(1.0)), 0.0);
+    EXPECT_EQ(raw_value(make_pattern(PatternKind::aoi), Vec3(1.0)), 0.0);
+    const PatternSurface seen{Vec3(0, 1, 0), Vec3(0, -1, 0)};
+    EXPECT_EQ(raw_value(make_pattern(PatternKind::slope), Vec3(1.0), seen), 1.0);
+    EXPECT_EQ(raw_value(make_pattern(PatternKind::aoi), Vec3(1.0), seen), 1.0);
+}
+
 TEST(Pattern, NumbersOfItsOwn) {
     EXPECT_EQ(std::get<BrickNumbers>(make_pattern(PatternKind::brick).numbers), (BrickNumbers{{8, 3, 4.5}, .5}));
     EXPECT_EQ(std::get<DensityNumbers>(make_pattern(PatternKind::density_file).numbers).interpolate, 0);

@@ -193,9 +193,10 @@ TEST(NormalBlock, AmountsAndPatternsFollowADeclaredOne) {
 
 TEST(TextureBlock, BeginsWithTheNamesOfDeclaredParts) {
     const auto of = [](const std::string& body) {
-        return parse_block("#declare P = pigment { bozo } #declare N = normal { bumps } #declare F = finish { phong 0.5 } "
-                           "sphere { 0, 1 texture { " +
-                           body + " } }");
+        return parse_block(
+            "#declare P = pigment { bozo } #declare N = normal { bumps } #declare F = finish { phong 0.5 } "
+            "sphere { 0, 1 texture { " +
+            body + " } }");
     };
     for (const char* body : {"P N F", "F P N", "N F P scale 2"}) {
         const ParsedScene parsed = of(body);
