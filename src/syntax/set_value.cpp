@@ -71,6 +71,7 @@ void hand_down_flags(const Object& whole, SetValue::Kind kind, bool split, Objec
     part.no_reflection |= whole.no_reflection;
     part.double_illuminate |= whole.double_illuminate;
     part.hollow |= whole.hollow;
+    part.uv_mapping |= whole.uv_mapping;
 }
 
 /// The interior of the whole, POV-Ray's own if none is stated, is that of the parts without one, which have it in common; so are sets in a

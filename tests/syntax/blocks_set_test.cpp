@@ -130,6 +130,12 @@ TEST(Sets, OfUvMappingASurfaceTakesItsCoordinatesAlong) {
     EXPECT_EQ(moved(layer(scene.objects[1]).pigment, Vec3(0.0)), Vec3(1, 0, 0));
     EXPECT_EQ(parse_block("union { sphere { 0, 1 } box { 0, 1 } pigment { rgb 1 } uv_mapping }").error,
               "uv_mapping must be specified before texture.");
+    const ParsedScene of_set = parse_block(
+        "union { sphere { 0, 1 } sphere { 0, 1 pigment { checker rgb 0, rgb 1 } } uv_mapping pigment { checker rgb 0, rgb 1 } translate x "
+        "}");
+    for (const Object& part : of_set.scene.objects) EXPECT_TRUE(part.uv_mapping);
+    EXPECT_EQ(moved(layer(of_set.scene.objects.at(0)).pigment, Vec3(0.0)), Vec3(0.0)) << "the whole's texture stays";
+    EXPECT_EQ(moved(layer(of_set.scene.objects.at(1)).pigment, Vec3(0.0)), Vec3(1, 0, 0)) << "the part's moves";
 }
 
 TEST(Sets, PartsWithOneTextureShareItWhenTheyAreMoved) {
