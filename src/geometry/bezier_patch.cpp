@@ -93,6 +93,7 @@ public:
             const double u = row / rows, v = column / columns;
             out_.vertices.push_back(sum(patch_.points, weights(u), weights(v)));
             out_.normals.push_back(surface_normal(patch_.points, u, v));
+            out_.uvs.push_back({v, u});
             return static_cast<std::uint32_t>(out_.vertices.size() - 1);
         };
         const std::uint32_t a = corner(i, j), b = corner(i, j + 1), c = corner(i + 1, j + 1), d = corner(i + 1, j);
@@ -100,6 +101,7 @@ public:
             if (is_degenerate_triangle(out_.vertices[face[0]], out_.vertices[face[1]], out_.vertices[face[2]])) continue;
             out_.faces.push_back(face);
             out_.normal_faces.push_back(face);
+            out_.uv_faces.push_back(face);
         }
     }
 
@@ -115,6 +117,7 @@ MeshData triangles_of(const BezierPatch& patch, const Transform& to_world) {
     for (Row& row : moved)
         for (Vec3& point : row) point = to_world.point(point);
     MeshData mesh;
+    mesh.corner_uvs = patch.corner_uvs;
     Tessellation(patch, mesh).add(moved, 0, 0, 0, 0);
     return mesh;
 }

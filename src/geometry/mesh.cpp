@@ -12,7 +12,10 @@ Bounds bounds(const Mesh& shape) {
 Vec2 uv(const MeshData& mesh, std::size_t face, const ShapeHit& hit) {
     if (mesh.uv_faces.empty() || mesh.uv_faces[face][0] == MeshData::flat) return Vec2(0.0);
     const MeshData::Face& f = mesh.uv_faces[face];
-    return (1.0 - hit.u - hit.v) * mesh.uvs[f[0]] + hit.u * mesh.uvs[f[1]] + hit.v * mesh.uvs[f[2]];
+    const Vec2 place = (1.0 - hit.u - hit.v) * mesh.uvs[f[0]] + hit.u * mesh.uvs[f[1]] + hit.v * mesh.uvs[f[2]];
+    if (!mesh.corner_uvs) return place;
+    const auto& [c00, c10, c11, c01] = *mesh.corner_uvs;
+    return (1.0 - place.y) * ((1.0 - place.x) * c00 + place.x * c10) + place.y * ((1.0 - place.x) * c01 + place.x * c11);
 }
 
 void texture_weights(const FaceTextures& textures, std::size_t face, const ShapeHit& hit, double least, std::vector<TextureWeight>& out) {

@@ -19,6 +19,8 @@ struct BezierPatch {
     std::array<std::array<Vec3, 4>, 4> points{};
     int u_steps = 0, v_steps = 0;  ///< times that it is halved along u and v, at most
     double flatness = 0.0;         ///< pieces whose points are nearer than this to a plane are not halved
+    /// What textures see instead of (v, u) at the corners (0, 0), (1, 0), (1, 1) and (0, 1); unset: just that.
+    std::optional<std::array<Vec2, 4>> corner_uvs = std::nullopt;
     bool operator==(const BezierPatch&) const = default;
 };
 
@@ -33,6 +35,8 @@ struct MeshData {
     std::vector<Vec2> uvs;  ///< of corners, for textures that are seen at (u, v, 0)
     /// Empty, or one entry a face: indices into uvs; a face of three equal `flat` entries has none, and is (0, 0).
     std::vector<Face> uv_faces;
+    /// What textures see instead of (u, v), bilinear between the corners (0, 0), (1, 0), (1, 1) and (0, 1); of bicubic patches.
+    std::optional<std::array<Vec2, 4>> corner_uvs = std::nullopt;
     bool operator==(const MeshData&) const = default;
 };
 

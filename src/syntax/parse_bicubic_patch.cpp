@@ -26,9 +26,9 @@ BezierPatch parse_head(Reader& reader) {
         } else if (reader.accept(Word::v_steps)) {
             patch.v_steps = parse_steps(reader);
         } else if (reader.accept(Word::uv_vectors)) {
-            for (int i = 0; i < 4; ++i) {
+            for (Vec2& corner : patch.corner_uvs.emplace()) {
                 reader.accept_comma();
-                reader.parse_vector2();
+                corner = reader.parse_vector2();
             }
         } else {
             break;

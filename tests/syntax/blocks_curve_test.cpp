@@ -166,6 +166,25 @@ TEST(BicubicPatches, AreAsFineAsTheyHaveToBe) {
     EXPECT_EQ(faces("2.5", "scale 20"), 128u);
 }
 
+/// u along the rows as they are written, v from row to row; between four stated corners at the hit, not at the triangles' corners.
+TEST(BicubicPatches, TexturesSeeThePatchsCoordinates) {
+    const auto seen = [](const std::string& head, std::size_t face, double b, double c) {
+        const Mesh mesh = only_shape<Mesh>("bicubic_patch { type 1 " + head + sixteen + " }");
+        ShapeHit hit{};
+        hit.u = b, hit.v = c;
+        return uv(*mesh.data, face, hit);
+    };
+    EXPECT_EQ(seen("", 0, 0.0, 0.0), Vec2(0, 0));
+    EXPECT_EQ(seen("", 0, 1.0, 0.0), Vec2(1, 0));
+    EXPECT_EQ(seen("", 0, 0.0, 1.0), Vec2(1, 1));
+    EXPECT_EQ(seen("", 1, 0.0, 1.0), Vec2(0, 1));
+    EXPECT_EQ(seen("u_steps 1 v_steps 1 ", 7, 0.25, 0.25), Vec2(0.5 + 0.5 * 0.25, 0.5 + 0.5 * 0.5));
+    const std::string corners = "uv_vectors <0, 0>, <2, 0>, <1, 1>, <0.25, 1.5> ";
+    EXPECT_EQ(seen(corners, 0, 1.0, 0.0), Vec2(2, 0));
+    EXPECT_EQ(seen(corners, 1, 0.0, 1.0), Vec2(0.25, 1.5));
+    EXPECT_EQ(seen(corners, 0, 0.0, 0.5), 0.25 * (Vec2(2, 0) + Vec2(1, 1) + Vec2(0.25, 1.5))) << "in the middle of the diagonal";
+}
+
 TEST(Texts, Errors) {
     EXPECT_EQ(error_of("text { \"timrom.ttf\" \"A\" 1, 0 }"), "Expected 'ttf or internal', string literal found instead");
     const ParsedScene missing = parse_block("text { ttf \"no such font\" \"A\" 1, 0 }");
