@@ -99,8 +99,6 @@ Near near(const BlobComponent& component, const Vec3& point) {
     return {1.0 - dot(away, away) / sqr(component.radius), away};
 }
 
-int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
-
 }  // namespace
 
 bool BlobComponent::operator==(const BlobComponent& other) const {

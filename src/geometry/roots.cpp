@@ -6,8 +6,6 @@ namespace rt {
 
 namespace {
 
-int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
-
 /// How often numbers in a row change their sign, zeros left out, and the first and last sign; 0 if all are zero.
 struct Signs {
     int first = 0, last = 0;

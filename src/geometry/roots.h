@@ -8,6 +8,8 @@
 
 namespace rt {
 
+inline int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
+
 /// Newton's method kept inside a bracket: `f` is monotone on [lo, hi] and `rising` or falling through zero there. Halves the bracket
 /// whenever a step leaves it or shrinks too slowly, so the number of steps is bounded. Accurate to `tolerance` or to the noise of `f`.
 template <typename F, typename D>

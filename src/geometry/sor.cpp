@@ -14,13 +14,13 @@ using Cubic = std::array<double, 4>;
 double widest2(const SorSlice& slice) { return std::max(0.0, *std::max_element(slice.radius2.begin(), slice.radius2.end())); }
 
 /// A line from the point nearest to the middle: radius^2 = c + 2 b s + a s^2.
-struct AxisRay {
+struct SliceRay {
     double y, climb, a, b, c;
     double radius2(double s) const { return c + (2.0 * b + a * s) * s; }
 };
 
 /// Where the line is between the planes of the slice and near enough to the axis. Planes are met at the same s from both sides.
-bool clip(const AxisRay& ray, const SorSlice& slice, double& s0, double& s1) {
+bool clip(const SliceRay& ray, const SorSlice& slice, double& s0, double& s1) {
     constexpr double room = 1.0 + 1e-6;
     const double widest = room * widest2(slice);
     if (ray.climb != 0.0) {
@@ -39,7 +39,7 @@ bool clip(const AxisRay& ray, const SorSlice& slice, double& s0, double& s1) {
 }
 
 /// r^2 of the slice minus that of the line, on s0..s1 as a cubic in [0, 1].
-Cubic gap(const AxisRay& ray, const SorSlice& slice, double s0, double s1) {
+Cubic gap(const SliceRay& ray, const SorSlice& slice, double s0, double s1) {
     const double height = slice.high - slice.low;
     const auto v = [&](double s) { return std::fmin(std::fmax((ray.y + s * ray.climb - slice.low) / height, 0.0), 1.0); };
     Cubic f = part(slice.radius2, v(s0), v(s1));
@@ -60,7 +60,7 @@ void find_hits(const Sor& shape, const Ray& ray, HitSink& sink) {
     const Vec3 d = ray.direction / speed;
     const double shift = -dot(ray.origin - Vec3(0.0, 0.5 * (slices.front().low + slices.back().high), 0.0), d);
     const Vec3 o = ray.origin + shift * d;
-    const AxisRay line{o.y, d.y, sqr(d.x) + sqr(d.z), o.x * d.x + o.z * d.z, sqr(o.x) + sqr(o.z)};
+    const SliceRay line{o.y, d.y, sqr(d.x) + sqr(d.z), o.x * d.x + o.z * d.z, sqr(o.x) + sqr(o.z)};
     if (!shape.open && d.y != 0.0) {
         const double s[2] = {(slices.front().low - o.y) / d.y, (slices.back().high - o.y) / d.y};
         if (line.radius2(s[0]) <= slices.front().radius2[0]) sink.offer({.t = (s[0] + shift) / speed, .part = 0});

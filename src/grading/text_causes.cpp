@@ -26,17 +26,18 @@ struct Parts {
     std::string frame;
 };
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 Parts parts_of(const std::vector<std::string>& lines) {
     Parts parts;
     for (const std::string& line : lines) {
         for (std::size_t i = 0; i < line.size();) {
-            const bool sign = (line[i] == '-' || line[i] == '.') && i + 1 < line.size() && (is_digit(line[i + 1]) || line[i + 1] == '.');
+            const bool sign =
+                (line[i] == '-' || line[i] == '.') && i + 1 < line.size() && (is_decimal_digit(line[i + 1]) || line[i + 1] == '.');
             const bool inside_word = i > 0 && (std::isalnum(static_cast<unsigned char>(line[i - 1])) || line[i - 1] == '_');
             Number number;
             const char* const begin = line.data() + i;
-            if (!inside_word && (sign || is_digit(line[i])))
+            if (!inside_word && (sign || is_decimal_digit(line[i])))
                 if (const auto [end, error] = std::from_chars(begin, line.data() + line.size(), number.value); error == std::errc()) {
                     const std::string_view text(begin, static_cast<std::size_t>(end - begin));
                     if (const std::size_t point = text.find('.'); point != text.npos)

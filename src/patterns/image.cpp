@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "patterns/warp.h"
+
 namespace rt {
 
 namespace {
 
 constexpr double edge_offset = 1e-10;  ///< decides for points on the edge of a texel
-
-/// Angle of (x, z) from +x towards +z in turns, 0..1.
-double turn_about_y(const Vec3& p) {
-    const double turns = std::atan2(p.z, p.x) / (2.0 * pi);
-    return turns < 0.0 ? turns + 1.0 : turns;
-}
 
 /// x modulo n in [0, n).
 double modulo(double x, double n) {

@@ -11,12 +11,6 @@ namespace {
 
 bool is_odd(double whole) { return std::fabs(std::fmod(whole, 2.0)) == 1.0; }
 
-/// Angle of (x, z) from +x towards +z in turns, 0..1; 0 on the axis.
-double turn_about_y(const Vec3& p) {
-    const double turns = std::atan2(p.z, p.x) / (2.0 * pi);
-    return turns < 0.0 ? turns + 1.0 : turns;
-}
-
 Vec3 warp(const RepeatWarp& repeat, Vec3 p) {
     const int axis = repeat.axis;
     const float width = repeat.width;
@@ -102,6 +96,11 @@ Vec3 warp(const Transform& transform, const Vec3& p) { return transform.inverse_
 Vec3 warp(const Turbulence& turbulence, const Vec3& p) { return p + turbulence.amount * vector_turbulence(turbulence, p); }
 
 }  // namespace
+
+double turn_about_y(const Vec3& p) {
+    const double turns = std::atan2(p.z, p.x) / (2.0 * pi);
+    return turns < 0.0 ? turns + 1.0 : turns;
+}
 
 bool fit_repeat(BlackHoleWarp& hole) {
     const BlackHoleWarp stated = hole;

@@ -62,4 +62,7 @@ using Warp = std::variant<Transform, Turbulence, RepeatWarp, BlackHoleWarp, Mapp
 /// The point that a pattern sees which was written before this step: the transform undone, the warp applied.
 Vec3 warped(const Warp& warp, const Vec3& p);
 
+/// Angle of (x, z) from +x towards +z in turns, 0..1; 0 on the axis.
+double turn_about_y(const Vec3& p);
+
 }  // namespace rt

@@ -13,8 +13,6 @@ namespace rt {
 
 namespace {
 
-Number vector(const Vec3& p) { return {{p.x, p.y, p.z}, 3, false}; }
-
 std::uint32_t bits(double x) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(to_int(x))); }
 
 double from_bits(std::uint32_t b) { return static_cast<std::int32_t>(b); }
@@ -54,7 +52,7 @@ Number Expression::word(Word w) {
     else if (const auto fv = function_of_vectors(w))
         result = number(*fv);
     else if (const auto v = vector_function(w, place))
-        result = vector(*v);
+        result = vector_of(*v);
     else if (w == Word::dimensions || w == Word::dimension_size)
         result = number(array_function(w));
     else if (const auto about = function_of_object(w, place))
@@ -338,7 +336,7 @@ Number Expression::unmodelled_call() {
 Number Expression::unmodelled_function(Word w, const Span& place) {
     reader_.unmodelled(place, text(w));
     skip_arguments(reader_);
-    return w == Word::vturbulence || w == Word::trace ? vector(Vec3(0.0)) : number(0.0);
+    return w == Word::vturbulence || w == Word::trace ? vector_of(Vec3(0.0)) : number(0.0);
 }
 
 double Expression::next_float() {

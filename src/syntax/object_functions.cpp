@@ -9,8 +9,6 @@ namespace {
 /// What a question to a union of that many objects counts for among what is read again.
 constexpr std::size_t bytes_per_object = 4;
 
-Number vector(const Vec3& p) { return {{p.x, p.y, p.z}, 3, false}; }
-
 std::size_t count_of(const ObjectValue& object) { return object.set ? (*object.set)->parts.objects.size() : object.objects.size(); }
 
 /// What answers for the object, made when it is first asked. Not a reference: what stands in the parentheses may declare the name anew.
@@ -39,8 +37,8 @@ std::optional<Number> Expression::function_of_object(Word w, const Span& place) 
     const bool light = !object && reader_.accept_declared<Light>();
     if (light) object = &none;
     if (!object) reader_.fail(named, "Object identifier expected.");
-    if (w == Word::min_extent) return vector(box_of(*object).min());
-    if (w == Word::max_extent) return vector(box_of(*object).max());
+    if (w == Word::min_extent) return vector_of(box_of(*object).min());
+    if (w == Word::max_extent) return vector_of(box_of(*object).max());
     if (!state_.options.make_probe) return std::nullopt;
     const ProbeSlot slot = asked(state_, *object, place);
     if (w == Word::trace) return trace(*slot.probe);
@@ -58,9 +56,9 @@ Number Expression::trace(const ObjectProbe& probe) {
     if (normal && normal->size == 3 && !normal->color) {
         const VariablePtr variable = state_.ahead_variable;
         reader_.accept_declared<Number>();
-        variable->value = vector(met.normal);
+        variable->value = vector_of(met.normal);
     }
-    return vector(met.point);
+    return vector_of(met.point);
 }
 
 }  // namespace rt

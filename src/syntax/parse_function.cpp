@@ -17,7 +17,7 @@ namespace {
 using Op = Function::Op;
 
 constexpr std::size_t max_parameters = 56;
-constexpr std::size_t max_depth = 100;  ///< of functions that call functions
+constexpr std::size_t max_call_depth = 100;  ///< of functions that call functions
 
 struct Named {
     Word word;
@@ -169,8 +169,8 @@ private:
 
     void call(const std::shared_ptr<const Function>& called) {
         function_.depth = std::max(function_.depth, called->depth + 1);
-        if (function_.depth > max_depth)
-            reader_.fail_limit(reader_.last_place(), fmt::format("Functions call each other more than {} deep.", max_depth), "");
+        if (function_.depth > max_call_depth)
+            reader_.fail_limit(reader_.last_place(), fmt::format("Functions call each other more than {} deep.", max_call_depth), "");
         arguments(called->parameters);
         push({.op = Op::call, .index = static_cast<std::uint32_t>(function_.called.size())});
         held_ -= called->parameters;

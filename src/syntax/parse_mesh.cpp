@@ -13,7 +13,7 @@ struct Corner {
     Vec3 normal{0.0};
 };
 
-constexpr MeshData::Face none{MeshData::flat, MeshData::flat, MeshData::flat};
+constexpr MeshData::Face no_indices{MeshData::flat, MeshData::flat, MeshData::flat};
 
 Corner parse_corner(Reader& reader, bool smooth) {
     Corner corner;
@@ -70,7 +70,7 @@ MeshTextures::Corners parse_textures(Reader& reader, MeshTextures& textures) {
 template <typename T>
 void add_stated(const std::array<T, 3>* stated, std::size_t faces, std::vector<T>& values, std::vector<MeshData::Face>& indices) {
     if (!stated && indices.empty()) return;
-    indices.resize(faces, none);
+    indices.resize(faces, no_indices);
     if (!stated) return;
     const auto first = static_cast<std::uint32_t>(values.size());
     values.insert(values.end(), stated->begin(), stated->end());

@@ -16,10 +16,10 @@ namespace {
 constexpr std::size_t many_objects = 1000;  ///< whose copies may take so much memory that it is looked at
 constexpr std::size_t max_missing = 1000;   ///< places in one declared value; what is met in the same loop again is one place
 
-Value number(double x) { return Number{{x}, 1, false}; }
+Value float_value(double x) { return Number{{x}, 1, false}; }
 
 void predeclare(Reader::State& state) {
-    const auto set = [&state](std::string_view name, double x) { state.names.bind(0, name, make_variable(number(x))); };
+    const auto set = [&state](std::string_view name, double x) { state.names.bind(0, name, make_variable(float_value(x))); };
     const FrameValues& frame = state.options.frame;
     set("clock_delta", frame.clock_delta);
     set("final_clock", frame.final_clock);
@@ -33,7 +33,7 @@ void predeclare(Reader::State& state) {
         char* end = nullptr;
         const double x = std::strtod(text.c_str(), &end);
         const bool is_number = !text.empty() && *end == '\0';
-        state.names.bind(0, name, make_variable(is_number ? number(x) : Value(text)));
+        state.names.bind(0, name, make_variable(is_number ? float_value(x) : Value(text)));
     }
 }
 

@@ -7,7 +7,7 @@ namespace rt {
 
 namespace {
 
-constexpr std::initializer_list<Word> shapes{Word::julia_fractal, Word::ovus, Word::parametric};
+constexpr std::initializer_list<Word> unmodelled_shapes{Word::julia_fractal, Word::ovus, Word::parametric};
 
 constexpr std::initializer_list<Word> patterns{Word::pavement, Word::tiling};
 
@@ -20,13 +20,13 @@ bool contains(std::initializer_list<Word> words, Word w) { return std::find(word
 
 void report_inner(Reader& reader, const Token& token) {
     if (token.kind != Token::Kind::word) return;
-    if (contains(shapes, token.word) || contains(patterns, token.word) || contains(inner_features, token.word))
+    if (contains(unmodelled_shapes, token.word) || contains(patterns, token.word) || contains(inner_features, token.word))
         reader.unmodelled(token.span, text(token.word));
 }
 
 }  // namespace
 
-bool is_unmodelled_shape(Word w) { return contains(shapes, w); }
+bool is_unmodelled_shape(Word w) { return contains(unmodelled_shapes, w); }
 bool is_unmodelled_pattern(Word w) { return contains(patterns, w); }
 bool is_unmodelled_item(Word w) { return contains(items, w); }
 

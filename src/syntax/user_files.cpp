@@ -15,8 +15,6 @@ namespace rt {
 
 namespace {
 
-std::filesystem::path folder_of(const std::string& file) { return std::filesystem::path(file).parent_path(); }
-
 /// Whether `path` lies in `folder` or below, links followed.
 bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder) {
     std::error_code error;
@@ -157,7 +155,7 @@ void Reader::State::begin_writing(const Span& place, const std::string& name, co
 
 std::string Reader::State::written_path(const std::string& name) const {
     const std::string& scene_file = scene.sources.file(frames.front().lexer.file()).name;
-    return (folder_of(scene_file) / name).lexically_normal().string();
+    return std::filesystem::path(scene_file).replace_filename(name).lexically_normal().string();
 }
 
 std::optional<std::uint32_t> Reader::State::find_written(const Span& place, const std::string& name) {
@@ -174,7 +172,7 @@ std::optional<std::uint32_t> Reader::State::find_user_file(const Span& place, co
     if (!file || options.read_include) return file;
     const std::string path = scene.sources.file(*file).name;
     const auto allows = [&](const std::filesystem::path& folder) { return is_below(path, folder); };
-    const bool beside = allows(folder_of(scene.sources.file(frames.front().lexer.file()).name));
+    const bool beside = allows(std::filesystem::path(scene.sources.file(frames.front().lexer.file()).name).parent_path());
     if (!beside && std::none_of(options.library_paths.begin(), options.library_paths.end(), allows))
         reader.fail(since(place), fmt::format("File '{}' is neither below the scene's folder nor below a library path.", name));
     return file;

@@ -25,6 +25,8 @@ struct Number {
     bool operator==(const Number&) const = default;
 };
 
+inline Number vector_of(const Vec3& p) { return {{p.x, p.y, p.z}, 3, false}; }
+
 /// `material { texture interior }`.
 struct MaterialValue {
     std::optional<TextureLayers> texture;

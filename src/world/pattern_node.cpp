@@ -64,6 +64,8 @@ Vec3 enter(const PatternNode& node, const Vec3& p, const TexturePoint& seen) {
     return pattern_point(node.pattern, node.uv_mapping ? Vec3(seen.uv.x, seen.uv.y, 0.0) : p);
 }
 
+namespace {
+
 double raw_value_at(const PatternNode& node, const Vec3& q, const TexturePoint& seen) {
     if (node.function) return function_value(*node.function, q);
     if (node.bodies) return node.bodies->contains(q) ? 1.0 : 0.0;
@@ -74,6 +76,8 @@ double raw_value_at(const PatternNode& node, const Vec3& q, const TexturePoint& 
     }
     return raw_value(node.pattern, q, seen.surface);
 }
+
+}  // namespace
 
 double value_at(const PatternNode& node, const Vec3& q, const TexturePoint& seen) {
     return wave_value(node.pattern, raw_value_at(node, q, seen));

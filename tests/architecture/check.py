@@ -72,6 +72,12 @@ ASSETS = (".html", ".css", ".js")
 SCOPE = re.compile(r"^\s*(?:template\s*<.*?>\s*)?(?:inline\s+|typedef\s+|extern\s+)*(?:namespace|class|struct|union|enum|extern)\b", re.S)
 
 
+# What a file keeps to itself, one line each: functions with their parameters' types, kinds and constants.
+PRIVATE = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.M | re.S)
+PRIVATE_FUNCTION = re.compile(r"^(?!using|return|struct|class|enum|namespace)[\w:\[].*?\b(\w+)\((.*)\) (?:const )?\{")
+PRIVATE_NAME = re.compile(r"^(?:struct|class|enum(?: class)?|using) (\w+)\b(?!.*;$)|^(?:inline )?const(?:expr)? [\w:<>, ]+ (\w+)(?:\[\w*\])?(?: =|\{|\()")
+
+
 def without_comments_and_strings(text):
     """The text with comments and literals blanked out; lines stay where they are."""
     pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<mark>[^()\s\\]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
@@ -119,6 +125,20 @@ def functions(text):
             header_start = position + 1
 
 
+def private_names(text):
+    """Yields (line, name) of what the unnamed namespaces of a file declare; of functions the name with the types of the parameters."""
+    for space in PRIVATE.finditer(text):
+        first = text[: space.start()].count("\n") + 2
+        for number, line in enumerate(without_comments_and_strings(space.group(1)).splitlines(), first):
+            function = PRIVATE_FUNCTION.match(line)
+            named = PRIVATE_NAME.match(line)
+            if function:
+                parameters = [re.sub(r"\s*=.*", "", p).strip() for p in function.group(2).split(",")]
+                yield number, function.group(1) + "(" + ", ".join(re.sub(r"\s*\b\w+$", "", p) if " " in p else p for p in parameters) + ")"
+            elif named:
+                yield number, named.group(1) or named.group(2)
+
+
 class Check:
     def __init__(self, root):
         self.root = root
@@ -159,6 +179,16 @@ class Check:
             if not inner.startswith(("commands/", "main.cpp")) and PRINTS.search(line):
                 self.report(path, number, "only commands print")
 
+    def check_private_names(self, sources):
+        """Files of a room are compiled together: what each keeps to itself has a name of its own in the room."""
+        known = {}
+        for path in sources:
+            room = path.relative_to(self.src).parts[0]
+            for number, name in private_names(path.read_text()):
+                first = known.setdefault((room, name), path)
+                if first != path:
+                    self.report(path, number, f"{name} stands in {first.relative_to(self.root)} too")
+
     def check_asset(self, path, text):
         for number, line in enumerate(text.splitlines(), 1):
             if ADDRESS.search(line):
@@ -194,6 +224,7 @@ class Check:
             text = path.read_text()
             self.check_includes(path, text)
             self.check_words(path, text)
+        self.check_private_names([p for p in sources if p.suffix == ".cpp"])
         assets = [p for p in sorted(self.src.rglob("*")) if p.suffix in ASSETS]
         for path in assets:
             self.check_asset(path, path.read_text())

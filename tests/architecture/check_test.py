@@ -67,6 +67,14 @@ class CheckTest(unittest.TestCase):
     def test_good_code_is_in_order(self):
         self.assertEqual(self.breaches({"src/geometry/a.cpp": GOOD, "src/main.cpp": '#include "commands/commands.h"\n'}), [])
 
+    def test_files_of_a_room_keep_names_apart(self):
+        one = "namespace rt {\n\nnamespace {\n\nconstexpr int most = 3;\nstruct A {\n    int b;\n};\nint f(const A& a, int c = 2) {\n    return g(c);\n}\n\n}  // namespace\n}\n"
+        other = one.replace("constexpr int most", "const double most").replace("struct A", "class A").replace("const A& a, int c", "const A& b, int")
+        overload = "namespace {\nint f(const A& a) { return h(a); }\n}  // namespace\n"
+        names = [breach.split(": ")[1] for breach in self.breaches({"src/core/a.cpp": one, "src/core/b.cpp": other})]
+        self.assertEqual(names, [f"{name} stands in src/core/a.cpp too" for name in ("most", "A", "f(const A&, int)")])
+        self.assertEqual(self.breaches({"src/core/a.cpp": one, "src/core/b.cpp": overload, "src/film/a.cpp": one}), [])
+
     def test_functions_are_found_with_their_lengths(self):
         self.assertEqual(list(check.functions(GOOD)), [(8, 8), (10, 13)])
 

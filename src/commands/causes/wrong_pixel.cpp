@@ -18,13 +18,13 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t most_lines = 40;  ///< of our own record, where the program has none
+constexpr std::size_t most_ray_lines = 40;  ///< of our own record, where the program has none
 
 void add_text(std::vector<std::string>& lines, const std::string& text) {
     std::vector<std::string> all = split(text, '\n');
     while (!all.empty() && all.back().empty()) all.pop_back();
-    for (std::size_t i = 0; i < std::min(all.size(), most_lines); ++i) lines.push_back("  " + all[i]);
-    if (all.size() > most_lines) lines.push_back(fmt::format("  ... and {} lines more", all.size() - most_lines));
+    for (std::size_t i = 0; i < std::min(all.size(), most_ray_lines); ++i) lines.push_back("  " + all[i]);
+    if (all.size() > most_ray_lines) lines.push_back(fmt::format("  ... and {} lines more", all.size() - most_ray_lines));
 }
 
 std::optional<ToldPixel> told(const std::string& text, ToldPixel (*read)(const Sources&)) {

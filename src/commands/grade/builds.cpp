@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <system_error>
 
+#include "commands/base/clock.h"
 #include "commands/base/content_hash.h"
 #include "commands/base/run_place.h"
 #include "commands/base/values.h"
@@ -26,10 +26,6 @@ namespace rt {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// Of a build that compiles `jobs` files at a time.
 Limits build_limits(int jobs) {
     Limits limits;
@@ -190,11 +186,11 @@ public:
         TimeLeft left;
         for (std::size_t i = 0; i < missing_.size(); ++i) left.expect("");
         const auto tell = [&] {
-            progress_.seconds = since(start), progress_.seconds_left = left.seconds(options_.parallel);
+            progress_.seconds = seconds_since(start), progress_.seconds_left = left.seconds(options_.parallel);
             progress(progress_);
         };
         const auto done = [&](std::size_t i, const WorkerEnd& end) {
-            ++progress_.done, left.add("", since(started[i]));
+            ++progress_.done, left.add("", seconds_since(started[i]));
             if (end.done) return;
             if (end.not_written && not_written_.empty()) not_written_ = end.problem;
             faults_[missing_[i].copy] = end.signal ? fmt::format("building it was ended by signal {}", end.signal) : end.problem;

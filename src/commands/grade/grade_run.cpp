@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
+#include "commands/base/clock.h"
 #include "grading/workers.h"
 
 namespace rt {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 class Run {
 public:
@@ -102,7 +98,7 @@ private:
     }
 
     void finish(std::size_t i, const WorkerEnd& end) {
-        left_.add(tasks_[i].test->name, since(started_[i]));
+        left_.add(tasks_[i].test->name, seconds_since(started_[i]));
         settle(i, end);
         for (const std::size_t follower : followers_[i]) settle(follower, end);
     }
@@ -120,7 +116,7 @@ private:
     }
 
     void tell(int parallel) {
-        progress_.seconds = since(start_);
+        progress_.seconds = seconds_since(start_);
         progress_.seconds_left = left_.seconds(parallel);
         report_(progress_);
     }

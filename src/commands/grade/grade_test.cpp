@@ -35,9 +35,9 @@ TakenFile own_scene(const Submission& submission, const TestCase& test) {
 }
 
 /// A program's own folder, as the course's graders lay it out: it runs in "build", the scenes are in "resources" beside it and in it.
-class Place {
+class RunFolder {
 public:
-    Place(const Grading& grading, const Submission& submission, const TestCase& test) {
+    RunFolder(const Grading& grading, const Submission& submission, const TestCase& test) {
         const fs::path folder = place_.folder();
         make_folder(folder / "build");
         for (const fs::path& link : {folder / "resources", folder / "build" / "resources"}) {
@@ -76,7 +76,7 @@ std::vector<std::string> hidden_places(const Grading& grading, const std::vector
     return {places.begin(), places.end()};
 }
 
-ContainedRun contained_run(const Grading& grading, const Submission& submission, const TestCase& test, const Place& place) {
+ContainedRun contained_run(const Grading& grading, const Submission& submission, const TestCase& test, const RunFolder& place) {
     ContainedRun run;
     run.command = {submission.program};
     run.command.insert(run.command.end(), test.arguments.begin(), test.arguments.end());
@@ -107,7 +107,7 @@ constexpr double most_pixels = 64e6;
 /// The picture a program left, and its bytes as they were. It is decoded from a copy that the program never had near it: its own folder
 /// may hold anything, links to other files for instance. A PNG of another size than `expected`'s is not decoded, whatever memory it asks
 /// for.
-Written take_picture(const Place& place, const TestCase& test, const StoredImage* expected, std::string& bytes) {
+Written take_picture(const RunFolder& place, const TestCase& test, const StoredImage* expected, std::string& bytes) {
     Written written;
     const TakenFile taken = take_file(place.working_folder(), test.output, test.limits.file_bytes);
     if (taken.missing) return written;
@@ -224,7 +224,7 @@ private:
     const TestCase& test_;
     const GradeStore& store_;
     int slot_;
-    Place place_;
+    RunFolder place_;
     ContainedRun run_;
 };
 

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 4> short_options{"-o", "-q", "-t", "-L"};
 constexpr std::array<std::string_view, 3> size_options{"--width", "--height", "--size"};
 constexpr std::array<std::string_view, 6> picture_options{"-o", "--output", "--max-error", "--time", "--preview", "--scale"};
 constexpr std::array<std::string_view, 3> page_options{"--html", "--grid", "--pixel"};
-constexpr int most_samples = 1 << 20;
+constexpr int most_gi_samples = 1 << 20;
 constexpr int most_bounces = 16;
 
 bool is_one_of(const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
@@ -194,7 +194,7 @@ std::optional<PixelPageRequest> page_of(const Sorted& sorted, const CourseArgume
 
 std::vector<int> indirect_samples_of(std::string_view text) {
     std::vector<int> samples;
-    for (const std::string& number : split(text, ',')) samples.push_back(whole_number("-gi_samples", number, 1, most_samples));
+    for (const std::string& number : split(text, ',')) samples.push_back(whole_number("-gi_samples", number, 1, most_gi_samples));
     return samples;
 }
 

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 
+#include "commands/base/clock.h"
 #include "commands/base/process_age.h"
 #include "trace/progressive.h"
 
 namespace rt {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// Decides which steps are written, and when to end so that the last one can still be.
 class Steps {

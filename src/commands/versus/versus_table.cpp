@@ -11,9 +11,9 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t longest_message = 160;
+constexpr std::size_t longest_cell = 160;
 
-std::string first_line(const std::string& text) { return printable(text.substr(0, text.find('\n')), longest_message); }
+std::string first_line(const std::string& text) { return printable(text.substr(0, text.find('\n')), longest_cell); }
 
 /// A text without the scene's folder where a path begins, behind `mark`: the scene is named beside it.
 std::string without_folder(const VersusResult& result, std::string text, std::string_view mark) {
@@ -28,7 +28,7 @@ std::string message_of(const VersusResult& result, Maker maker) {
 }
 
 /// Names of files may hold anything.
-std::string name_text(const VersusResult& result) { return printable(result.name, longest_message); }
+std::string name_text(const VersusResult& result) { return printable(result.name, longest_cell); }
 
 std::string colour_text(const std::array<int, 3>& colour) { return fmt::format("{} {} {}", colour[0], colour[1], colour[2]); }
 
@@ -82,7 +82,7 @@ std::string missing_line(const VersusResult& result, std::size_t width) {
     for (const MissingFeature& missing : result.missing) names.push_back(missing.name);
     const MissingFeature& first = result.missing.front();
     return fmt::format("  {:<{}} {} ({}:{}:{})\n", name_text(result), width, fmt::join(names, ", "),
-                       printable(without_folder(result, first.file, ""), longest_message), first.line, first.column);
+                       printable(without_folder(result, first.file, ""), longest_cell), first.line, first.column);
 }
 
 std::string gains_text(const std::vector<VersusResult>& results) {
