@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <tuple>
 #include <utility>
 
 #include "syntax/choice_prefix.h"
@@ -28,8 +29,10 @@ void Reader::State::fill() {
         if (ahead.is('#')) {
             const Span hash = ahead.span;
             if (waiting.active && ends_declaration()) break;
+            const auto before = std::pair(last, last_word);
             directive(hash);
-            if (has_ahead) return;  // the directive looked one token too far
+            if (has_ahead) return;                                   // the directive looked one token too far
+            if (waiting.active) std::tie(last, last_word) = before;  // its tokens are none of the value's
         } else if (ahead.kind == Token::Kind::end) {
             if (leave_frame()) continue;
             ahead.span = last;  // what is missing is missing after the last token, not after the blank lines below it

@@ -169,6 +169,10 @@ TEST(Declare, ADirectiveEndsAValueWithoutASemicolon) {
         {"#declare A = pi #if(A>3) #debug \"yes\" #end", "yes"},
         {"#macro M() 3 #end #declare A = M() #if(A=3) #debug \"yes\" #end", "yes"},
         {"#declare A = (3 #if(1) +2 #end); #debug str(A,0,0)", "5"},
+        {"#macro M(a) #local b = a; #while (b < 3) #local b = b + 1; #end #if (b) b; #else 0; #end #end #declare A = M(1) #debug "
+         "str(A,0,0)",
+         "3"},
+        {"#declare A = #while (0) #end 3 #if (1) #debug str(A,0,0) #end", "3"},
         {"#declare A = max(1, 2 #if(1) +2 #end); #debug str(A,0,0)", "4"},
         {"#declare A = #if(1) 1 #else 2 #end; #debug str(A,0,0)", "1"},
     };
