@@ -30,7 +30,7 @@ Vec3 spiral_point(const Pattern& pattern, const Vec3& q) {
     return q + Vec3(0.0, 0.0, pattern.turbulence->amount.x * scalar_turbulence(pattern.noise, *pattern.turbulence, q));
 }
 
-/// The kinds that are made of noise.
+/// The kinds that are made of noise, and cells.
 double noise_value(const Pattern& pattern, const Vec3& q) {
     switch (pattern.kind) {
         case K::agate:

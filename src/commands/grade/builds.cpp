@@ -26,6 +26,7 @@ namespace rt {
 namespace {
 
 namespace fs = std::filesystem;
+
 /// Of a build that compiles `jobs` files at a time.
 Limits build_limits(int jobs) {
     Limits limits;
